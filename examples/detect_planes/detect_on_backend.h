@@ -6,19 +6,218 @@
 #ifndef DETECT_PLANES_DETECT_ON_BACKEND_H
 #define DETECT_PLANES_DETECT_ON_BACKEND_H
 
-#include "Built_with.h"
-#include "cloud_warnings.h"
+#include "check_options.h"
 #include "detection.h"
-#include "planes_file.h"
-#include "ranks/Ranks.h"
+#include "output/Output_file.h"
+#include "output/writers.h"
+#include "warnings.h"
 
+#include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <CGAL/Real_timer.h>
+#include <CGAL/pca_estimate_normals.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
 
 namespace program {
+
+// While it lives, oneTBB has at most so many threads; 0: one for each processor.
+class Thread_limit {
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Thread_limit(int most) : number(tbb::this_task_arena::max_concurrency())
+  {
+    if(most <= 0)
+      return;
+    control.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(most));
+    number = (std::min)(number, most);
+  }
+
+  int threads() const { return number; }
+
+private:
+  std::optional<tbb::global_control> control;
+  int number;
+#else
+  explicit Thread_limit(int) {}
+  int threads() const { return 1; }
+#endif
+};
+
+// --- Finds what the program, as it is built, or this machine cannot do, before any work.
+
+// What is not built is bad usage, as a device that is not there is none.
+inline void check_backend(const Options& o)
+{
+  const std::vector<std::string> built = built_with().backends();
+  if(std::find(built.begin(), built.end(), o.backend) == built.end())
+    throw_error<Usage_error>("--backend ", o.backend, " needs ", (o.backend == "cuda" ? "CUDA" : "oneTBB"),
+                             ": this program was built without it");
+  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw_error("the back end cuda cannot be used: ", CGAL::Tandem::cuda_device_report(),
+                " (--backend auto takes what there is)");
+}
+
+inline void check_program(const Options& o, const Ranks& ranks)
+{
+  parameters_of(o);
+  if(ranks.are_many())
+    check_ranks(o);
+  check_backend(o);
+  if(output_extension(o.output) == ".laz" && !has_laszip)
+    throw_error<Usage_error>(o.output,
+                             ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
+  if(!o.view.empty() && !has_view)
+    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
+}
+
+// --- Planes from a file, as --planes writes them, or from the columns a, b, c, d of a table with a line of names.
+
+// A file or a pipe, which is read once, up to its end.
+class Stream_source final : public Byte_source {
+public:
+  explicit Stream_source(const std::string& path)
+  {
+    if(std::filesystem::is_directory(path))
+      throw std::runtime_error("is a directory");
+    errno = 0;
+    file_.open(path, std::ios::binary);
+    if(!file_)
+      throw_error("cannot be opened", reason_of(errno));
+  }
+
+  std::uint64_t size() const override { return UINT64_MAX; } // it is not known
+  void seek(std::uint64_t) override {}
+  std::size_t read(char* bytes, std::size_t count) override
+  {
+    errno = 0;
+    file_.read(bytes, std::streamsize(count));
+    if(file_.bad())
+      throw_error("cannot be read", reason_of(errno));
+    return std::size_t(file_.gcount());
+  }
+
+private:
+  std::ifstream file_;
+};
+
+using Cells = std::vector<std::string_view>;
+using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
+
+inline bool are_numbers(const Cells& cells)
+{
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
+
+inline Plane_columns columns_of_planes(const Text_row& row, const Cells& names)
+{
+  Plane_columns columns;
+  for(std::size_t c = 0; c < 4; ++c) {
+    columns[c] =
+      std::size_t(std::find(names.begin(), names.end(), std::string_view("abcd").substr(c, 1)) - names.begin());
+    if(columns[c] == names.size())
+      fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
+  }
+  return columns;
+}
+
+inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cells, const Plane_columns& columns)
+{
+  CGAL::Tandem::Coefficients plane;
+  for(std::size_t c = 0; c < 4; ++c) {
+    const std::string_view cell = cells[columns[c]];
+    const std::optional<double> number = parse_number(cell);
+    if(!number || !std::isfinite(*number))
+      fail_at_row(row.number, "has '" + std::string(cell.substr(0, 40)) + "' where a finite number is expected");
+    plane[c] = *number;
+  }
+  const double largest = (std::max)({std::fabs(plane[0]), std::fabs(plane[1]), std::fabs(plane[2])});
+  if(largest == 0)
+    fail_at_row(row.number, "has a null vector as normal");
+  if(!std::isfinite(plane[3] / largest))
+    fail_at_row(row.number, "has a plane whose distance from the origin is not finite");
+  return plane;
+}
+
+// The first row may have names instead of numbers.
+inline std::vector<CGAL::Tandem::Coefficients> read_planes(Text_lines& lines)
+{
+  std::vector<CGAL::Tandem::Coefficients> planes;
+  Plane_columns columns = {0, 1, 2, 3};
+  std::size_t values = 0; // of each row
+  while(lines.next_filled()) {
+    const Text_row& row = lines.row();
+    const Cells cells = values_of(row.text);
+    if(is_comment(row.text))
+      continue;
+    if(values == 0 && !are_numbers(cells)) {
+      columns = columns_of_planes(row, cells);
+      values = cells.size();
+      continue;
+    }
+    values = values == 0 ? 4 : values;
+    if(cells.size() != values)
+      fail_at_row(row.number, "has " + std::to_string(cells.size()) + " values instead of " + std::to_string(values));
+    planes.push_back(plane_of(row, cells, columns));
+  }
+  if(planes.empty())
+    throw std::runtime_error("has no planes");
+  return planes;
+}
+
+inline void read_known_planes(Options& o)
+try {
+  if(o.planes_from.empty())
+    return;
+  Stream_source file(o.planes_from);
+  Input_buffer bytes(file);
+  Text_lines lines(bytes);
+  o.known_planes = read_planes(lines);
+} catch(const std::runtime_error& e) {
+  throw_error("--planes-from ", o.planes_from, ": ", e.what());
+}
+
+// --- The normals that the detection gets: those of the input, or none, or others than those of the library.
+
+// The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
+inline void estimate_normals_by_pca(Point_set& points, unsigned int k)
+{
+  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  std::vector<Item> finite;
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i)))
+      finite.emplace_back(points.point(i), CGAL::NULL_VECTOR);
+  CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
+    finite, k,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
+      .normal_map(CGAL::Second_of_pair_property_map<Item>()));
+  points.add_normal_map();
+  auto next = finite.begin();
+  for(Point_set::Index i : points)
+    points.normal(i) = is_finite(points.point(i)) ? (next++)->second : Kernel::Vector_3(CGAL::NULL_VECTOR);
+}
+
+inline void prepare_normals(Point_set& points, const Options& o, Run& run)
+{
+  run.normals = points.has_normal_map() ? "given" : o.known_planes.empty() ? "estimated" : "none";
+  if(!o.estimate_normals)
+    return;
+  points.remove_normal_map();
+  run.normals = "estimated";
+  if(*o.estimate_normals == by_library)
+    return;
+  CGAL::Real_timer timer;
+  timer.start();
+  estimate_normals_by_pca(points, unsigned(*o.estimate_normals));
+  run.normals = "by PCA of " + std::to_string(*o.estimate_normals) + " neighbors";
+  run.normal_seconds = timer.time();
+}
+
+// ---
 
 // An automatic distance is estimated here, once. Where the noise varies, it is one for each point.
 inline void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
@@ -68,10 +267,10 @@ try {
 } catch(const std::range_error& e) {
   const std::string message = e.what(), parameter = "maximum_distance";
   const Cloud_box own = box_of(points, Ranks());
-  throw std::runtime_error((message.compare(0, parameter.size(), parameter) == 0
-                              ? "--maximum-distance" + message.substr(parameter.size())
-                              : message) +
-                           (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+  throw_error((message.compare(0, parameter.size(), parameter) == 0
+                 ? "--maximum-distance" + message.substr(parameter.size())
+                 : message),
+              (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
 } // namespace program

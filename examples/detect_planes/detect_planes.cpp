@@ -4,47 +4,57 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
-#include "Built_with.h"
-#include "Outward_sides.h"
-#include "Thread_limit.h"
-#include "output/Output_files.h"
-#include "cloud_warnings.h"
 #include "detect_on_backend.h"
-#include "messages.h"
-#include "output/Made_folders.h"
-#include "output/Write_error.h"
-#include "output/summary.h"
-#include "prepare_normals.h"
-#include "mesh/write_mesh.h"
+#include "output/Output_files.h"
 #include "program_options.h"
-#include "progress.h"
-#include "tolerance/zeros.h"
-#include "ranks/Ranks.h"
-#include "check_program.h"
-#include "ranks/hash_of_all.h"
-#include "ranks/processes.h"
 #include "ranks/read_inputs.h"
-#include "result_warnings.h"
-#include "selection.h"
-#include "signals.h"
-#include "output/writers.h"
+#include "shapes_of_outputs.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 
-#include <CGAL/Real_timer.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <iostream>
-#include <memory>
-#include <new>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace program {
+
+// What Planar_shapes_3::hash() is for the points of all ranks, in the order of the inputs: from file to file, the rank
+// that has it goes on.
+class Hash_of_all {
+public:
+  Hash_of_all(const std::vector<Input_part>& parts, const std::vector<int>& rank_of_input, const Ranks& ranks)
+    : parts(parts), rank_of_input(rank_of_input), ranks(ranks)
+  {}
+
+  std::uint64_t operator()(const Shapes& shapes)
+  {
+    hash = Shapes::hash(std::vector<std::int32_t>(), {});
+    add(shapes.data().shape_of);
+    Shapes::add_to_hash(hash, shapes.data().coefficients);
+    add(shapes.data().normal);
+    return hash;
+  }
+
+private:
+  // A table of the own points, or an empty one.
+  template <class Table>
+  void add(const Table& table)
+  {
+    auto part = parts.begin();
+    for(std::size_t input = 0; input < rank_of_input.size(); ++input) {
+      if(part != parts.end() && part->input == input) {
+        for(std::size_t i = part->first; i < (std::min)(part->last, std::size_t(table.size())); ++i)
+          Shapes::add_to_hash(hash, std::uint32_t(table[i]));
+        ++part;
+      }
+      hash = ranks.number_of(rank_of_input[input], hash);
+    }
+  }
+
+  const std::vector<Input_part>& parts;
+  const std::vector<int>& rank_of_input;
+  const Ranks& ranks;
+  std::uint64_t hash = 0;
+};
+
+// ---
 
 // What the back end that was chosen in the end ran on.
 void name_device(const Shapes& shapes, int threads, Run& run)
@@ -60,7 +70,7 @@ void print(const std::string& text, const char* rest)
 {
   errno = 0;
   if(!(std::cout << text << std::flush))
-    throw std::runtime_error("standard output cannot be written" + reason_of(errno) + rest);
+    throw_error("standard output cannot be written", reason_of(errno), rest);
 }
 
 // What is to be said of the outlines is said when the line of progress is gone.
@@ -187,7 +197,7 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
     if(!o.is_quiet && ranks.is_first())
       print(summary(*shapes, run), rest);
     if(!failure.empty())
-      throw std::runtime_error(failure + rest);
+      throw_error(failure, rest);
   });
 }
 

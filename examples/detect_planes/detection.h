@@ -6,25 +6,12 @@
 #ifndef DETECT_PLANES_DETECTION_H
 #define DETECT_PLANES_DETECTION_H
 
-#include "Options.h"
-#include "input/point_set.h"
-#include "output/write_results.h"
-#include "progress.h"
 #include "signals.h"
 #include "tolerance/Tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 
@@ -120,8 +107,7 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
 {
   namespace np = CGAL::Tandem::parameters;
   const std::function<bool(double)> callback = [&](double share) {
-    if(is_interrupted())
-      throw Interrupted();
+    check_signals();
     progress.show(share);
     return true;
   };

@@ -1,63 +1,58 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the program says about a run on standard error, one line each, and texts that may have any bytes: names of files
-// and other pieces of input, in messages and in JSON.
+// What the program says about a run on standard error: messages, one line each, and the line that tells what it is doing.
 
 #ifndef DETECT_PLANES_MESSAGES_H
 #define DETECT_PLANES_MESSAGES_H
 
+#include <boost/locale/utf.hpp>
+
+#include <CGAL/Tandem/detection_stage.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <iomanip>
 #include <iostream>
+#include <mutex>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <utility>
+
+#ifdef __unix__
+#include <unistd.h>
+#endif
 
 namespace program {
 
-// The number of bytes of the UTF-8 character that a text begins with; 0 if it begins with something else.
-inline std::size_t utf8_length(std::string_view text)
+// --- Texts that may have any bytes: names of files and other pieces of input, in messages and in JSON.
+
+using Utf8 = boost::locale::utf::utf_traits<char>;
+
+// The UTF-8 character that a text begins with, and the number of its bytes; 0 bytes if it begins with something else.
+inline std::pair<boost::locale::utf::code_point, std::size_t> first_character(std::string_view text)
 {
-  const auto byte = [&](std::size_t i) { return (unsigned char)(text[i]); };
-  if(text.empty())
-    return 0;
-  if(byte(0) < 0x80)
-    return 1;
-  const std::size_t n = byte(0) < 0xc2 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : byte(0) < 0xf5 ? 4 : 0;
-  if(n == 0 || text.size() < n)
-    return 0;
-  for(std::size_t i = 1; i < n; ++i)
-    if((byte(i) & 0xc0) != 0x80)
-      return 0;
-  const bool is_too_long = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xf0 && byte(1) < 0x90);
-  const bool is_no_character = (byte(0) == 0xed && byte(1) >= 0xa0) || (byte(0) == 0xf4 && byte(1) >= 0x90);
-  return is_too_long || is_no_character ? 0 : n;
+  const char* end = text.data();
+  const auto c = Utf8::decode(end, text.data() + text.size());
+  return {c, boost::locale::utf::is_valid_codepoint(c) ? std::size_t(end - text.data()) : 0};
 }
 
-// Whether a text begins with a character, in UTF-8, that controls what shows it. Its last byte is its code.
-inline bool begins_with_control(std::string_view text)
-{
-  const unsigned char first = text.empty() ? 0x20 : (unsigned char)(text[0]);
-  return first < 0x20 || first == 0x7f || (utf8_length(text) == 2 && first == 0xc2 && (unsigned char)(text[1]) < 0xa0);
-}
-
-// Whether a text begins with a character that changes the direction of others.
-inline bool begins_with_direction(std::string_view text)
-{
-  const std::string_view all[] = {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c",
-                                  "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
-  for(std::string_view one : all)
-    if(text.substr(0, one.size()) == one)
-      return true;
-  return false;
-}
+inline std::size_t utf8_length(std::string_view text) { return first_character(text).second; }
 
 // The number of bytes of the character that a text begins with, if it can be shown: it is UTF-8, and does not control
 // what shows it. Otherwise 0.
 inline std::size_t visible_length(std::string_view text)
 {
-  return begins_with_control(text) || begins_with_direction(text) ? 0 : utf8_length(text);
+  const auto [c, length] = first_character(text);
+  const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
+  const bool changes_direction =
+    c == 0x61c || c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+  return is_control || changes_direction ? 0 : length;
 }
 
 // Writes \x1b for a byte that cannot be shown, so that no input controls a terminal. Works without memory.
@@ -116,6 +111,95 @@ private:
   std::ostringstream text;
   std::streamsize precision;
   std::streambuf* previous;
+};
+
+// ---
+
+inline const char* name_of(CGAL::Tandem::Detection_stage stage)
+{
+  const char* const names[] = {
+    "sorting", "finding neighbors", "estimating normals", "choosing seeds", "growing shapes", "completing shapes",
+    "done"};
+  return names[int(stage)];
+}
+
+// Only on a terminal; gone when the work is done. A thread of its own draws it, four times a second, so that it moves
+// whatever the work is.
+class Progress_line {
+public:
+  Progress_line(bool is_wanted, std::string what) : work(std::move(what))
+  {
+    if(is_wanted && is_terminal())
+      drawer = std::thread([this] { draw_until_end(); });
+  }
+
+  ~Progress_line()
+  {
+    if(!drawer.joinable())
+      return;
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      is_done = true;
+    }
+    end.notify_one();
+    drawer.join();
+    out << '\r' << std::string(width, ' ') << '\r' << std::flush;
+  }
+
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+
+  // Of a detection.
+  void show(double progress)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    share = (std::min)((std::max)(progress, 0.0), 1.0);
+    work = name_of(CGAL::Tandem::stage_at(share));
+  }
+
+private:
+  static bool is_terminal()
+  {
+#ifdef __unix__
+    return isatty(STDERR_FILENO) != 0;
+#else
+    return false;
+#endif
+  }
+
+  void draw_until_end()
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    while(!end.wait_for(lock, std::chrono::milliseconds(250), [this] { return is_done; }))
+      draw();
+  }
+
+  void draw()
+  {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    std::ostringstream text;
+    if(share >= 0) {
+      const std::size_t full = std::size_t(share * bar_width);
+      text << '[' << std::string(full, '#') << std::string(bar_width - full, '.') << "] " << std::setw(3)
+           << int(100 * share) << " % ";
+    }
+    text << work << ", " << std::fixed << std::setprecision(1) << passed.count() << " s";
+    const std::string line = text.str().substr(0, most_characters);
+    const std::size_t before = width;
+    width = line.size();
+    out << '\r' << line << std::string(before > width ? before - width : 0, ' ') << std::flush;
+  }
+
+  std::ostream out{std::cerr.rdbuf()}; // its own: messages on std::cerr may be captured meanwhile
+  static constexpr std::size_t bar_width = 40, most_characters = 79;
+  const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::mutex mutex;
+  std::condition_variable end;
+  std::string work;
+  double share = -1; // not known
+  std::size_t width = 0;
+  bool is_done = false;
+  std::thread drawer;
 };
 
 } // namespace program

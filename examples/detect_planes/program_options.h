@@ -7,24 +7,254 @@
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
 #include "check_options.h"
-#include "input/input_options.h"
-#include "option_values.h"
-#include "output_options.h"
-#include "selection_options.h"
-#include "tolerance/tolerance_options.h"
+
+#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 
 #include <boost/program_options.hpp>
 
-#include <algorithm>
-#include <cctype>
-#include <cstring>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace program {
+
+namespace po = boost::program_options;
+
+// Options with a value; what was not given stays empty.
+inline auto text_option(std::string& target, const char* name)
+{
+  return po::value<std::string>(&target)->value_name(name);
+}
+
+template <class Number>
+auto number_option(std::optional<Number>& target, const char* name)
+{
+  return po::value<Number>()->value_name(name)->notifier([&target](Number x) { target = x; });
+}
+
+// --- The options of the command line that say how the inputs are read.
+
+inline void add_input_options(po::options_description& all, Options& o, const Built_with& built)
+{
+  const std::string las = built.laszip ? ".las and .laz" : ".las";
+  po::options_description group("Input");
+  auto add = group.add_options();
+  add(
+    "format", text_option(o.format, "NAME"),
+    "read all inputs as this format, whatever their names end in: ply, las, pcd, off, ptx, xyz or another extension of "
+    "a text table");
+  add("columns", text_option(o.columns, "NAMES"),
+      "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
+      "(default: from a line of names, or from the values; the output says which)");
+  add(
+    "decimal-comma", po::bool_switch(&o.has_decimal_commas),
+    "numbers of text tables have a comma in place of the point, as in 1,5;2,5;3,5: semicolons or blanks separate them");
+  add("classes", text_option(o.classes, "LIST"),
+      ("only the points of these classes, as 2,6 (of " + las +
+       ", or of a property or column 'classification'); the others are in no output")
+        .c_str());
+  add("crop", text_option(o.crop, "BOX"),
+      "only the points in the box XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX, in the coordinates of the input; -inf and inf leave a "
+      "side open; the others are in no output");
+  add("sample", number_option(o.sample, "N"),
+      "the points are N on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the "
+      "normals of the faces; 0: the corners of the faces. Without it a file with faces is refused");
+  add(
+    "viewpoint", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
+      o.viewpoint = parse_place("viewpoint", text);
+    }),
+    "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
+    "sides of planes, are those towards it; for --noise the place of the sensor. It is an error for an input with "
+    "normals of its own, which have a side, unless --estimate-normals or --noise is given (default: the VIEWPOINT of "
+    ".pcd files, where it is not 0 0 0 1 0 0 0, which only --oriented uses, and the place in .ptx files of one scan)");
+  add("ignore-zeros", po::bool_switch(&o.ignores_zeros),
+      "points that are exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and nothing depends on "
+      "them");
+  all.add(group);
+}
+
+// --- The options of the command line that say how far points may be from their planes.
+
+// The value of --maximum-distance.
+inline void set_maximum_distance(const std::string& text, Options& o)
+{
+  o.has_local_distances = text == "auto-local";
+  if(text == "auto" || text == "auto-local")
+    return;
+  o.maximum_distance = parse_number(text);
+  if(!o.maximum_distance)
+    throw_error<Usage_error>("--maximum-distance is '", text, "', must be a number, auto or auto-local");
+}
+
+inline void add_tolerance_options(po::options_description& group, Options& o)
+{
+  std::ostringstream noise;
+  noise.precision(3);
+  noise
+    << "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in \"0.001 + "
+       "0.0028*r^2\": the tolerance of each point is "
+    << CGAL::Tandem::distance_of_noise(1)
+    << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0, "
+       "or of a .ptx file of one scan";
+  auto add = group.add_options();
+  add("maximum-distance",
+      po::value<std::string>()->value_name("D")->notifier([&o](const std::string& s) { set_maximum_distance(s, o); }),
+      "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
+      "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
+      "or --noise the value that nearly all tolerances do "
+      "not exceed; or auto-local: estimated for each point, from the noise around it (default: auto)");
+  add("tolerance-column", text_option(o.tolerance_column, "NAME"),
+      "the largest distance of each point to the plane of its shape is that property of .ply, field of .pcd, column of "
+      "a text table (of its line of names or of --columns) or extra dimension of .las. Points where it is not positive "
+      "have no shape");
+  add("noise", po::value<std::string>()->value_name("SUM")->notifier([&o](const std::string& text) {
+    o.noise_text = text;
+    o.noise = parse_noise(text);
+  }),
+      noise.str().c_str());
+}
+
+// --- The options of the command line that say which of the shapes the outputs have.
+
+// The value of --near-direction.
+inline Direction_choice parse_near_direction(const std::string& text)
+{
+  const std::string word = text.substr(0, text.find(','));
+  Direction_choice choice;
+  choice.text = text;
+  choice.of = word == "vertical"     ? Direction_choice::vertical
+              : word == "horizontal" ? Direction_choice::horizontal
+                                     : Direction_choice::direction;
+  const std::size_t before_angle = choice.of == Direction_choice::direction ? 3 : 1;
+  std::vector<double> numbers = read_numbers(before_angle == 1 ? "0" + text.substr(word.size()) : text);
+  bool is_right = numbers.size() == before_angle;
+  if(numbers.size() == before_angle + 1) {
+    choice.degrees = numbers.back();
+    is_right = numbers.back() >= 0 && numbers.back() <= 90;
+  }
+  for(std::size_t c = 0; c < 3 && is_right && before_angle == 3; ++c)
+    choice.normal[c] = numbers[c];
+  for(double x : choice.normal)
+    is_right = is_right && std::isfinite(x);
+  if(!is_right || (before_angle == 3 && choice.normal == std::array<double, 3>()))
+    throw_error<Usage_error>(
+      "--near-direction is '", text,
+      "', must be X,Y,Z, not all 0, vertical or horizontal, or one of these with ,DEG from 0 to 90");
+  return choice;
+}
+
+inline void add_selection_options(po::options_description& all, Options& o)
+{
+  po::options_description group("Selection (all outputs have only the shapes that fit all of these)");
+  auto add = group.add_options();
+  add("largest", number_option(o.largest, "N"), "the N shapes with most points, of those that fit the others");
+  add("minimum-area", number_option(o.minimum_area, "A"),
+      "shapes whose points cover at least this area, in squares of the unit of the input");
+  add("minimum-extent", number_option(o.minimum_extent, "L"),
+      "shapes that are at least so long: the longer side of a rectangle around the points");
+  add("near-direction", po::value<std::string>()->value_name("DIRECTION")->notifier([&o](const std::string& text) {
+    o.near_direction = parse_near_direction(text);
+  }),
+      "shapes with a normal within 10 degrees of X,Y,Z, of either sign; 'vertical' are walls, and 'horizontal' floors "
+      "and ceilings, by the symmetry direction, or else z, as upward. An angle may follow, as in vertical,5");
+  all.add(group);
+}
+
+// --- The options of the command line that name files to be written.
+
+inline void add_cloud_options(po::options_description& group, Options& o, const Built_with& built)
+{
+  const std::string las = built.laszip ? ".las or .laz" : ".las", all_las = built.laszip ? ".las and .laz" : ".las";
+  const std::string output =
+    "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
+    "classification kept, and its tolerance, where each has its own (not in .las): .ply or .pcd (binary), .xyz, .txt "
+    "or .csv (text with a line of names), " +
+    las +
+    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points "
+    "fit it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";
+  const std::string directory =
+    std::string(
+      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, "
+      "which is made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does "
+      "not write") +
+    (built.gzip ? ", without .gz" : "");
+  const std::string colors =
+    "the colors of --output and --output-directory: shape, one for each, or input (default: input for " + all_las +
+    ", else shape)";
+  const char* const label =
+    "the name of the shape of each point in --output and --output-directory: letters, digits and _, as in scalar_shape "
+    "(default: shape)";
+  auto add = group.add_options();
+  add("output", text_option(o.output, "FILE"), output.c_str());
+  add("output-directory", text_option(o.output_directory, "DIR"), directory.c_str());
+  add("colors", text_option(o.colors, "NAME"), colors.c_str());
+  add("label-property", text_option(o.label_property, "NAME"), label);
+}
+
+inline void add_result_options(po::options_description& group, Options& o, const Built_with& built)
+{
+  const std::string oriented =
+    "the normals of the planes of --planes, --shapes" + std::string(built.view ? ", --view" : "") +
+    " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
+    "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes";
+  auto add = group.add_options();
+  add("labels", text_option(o.labels, "FILE"),
+      "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
+  add("planes", text_option(o.planes, "FILE"),
+      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+  add("shapes", text_option(o.shapes, "FILE"),
+      "a table .csv with a line for each shape: points, plane, centroid, area, length and width of the smallest "
+      "rectangle around the points, lowest and highest point, tilt, dip and azimuth, distances, by how much "
+      "regularization moved the plane, its uncertainty, parallel and coplanar group. Upward is z, or "
+      "--symmetry-direction");
+  add("by-plane", po::bool_switch(&o.is_by_plane),
+      "coplanar shapes are one shape in all outputs, so that there is one for each plane");
+  add("oriented", po::bool_switch(&o.is_oriented), oriented.c_str());
+  add("vg", text_option(o.vg, "FILE"),
+      "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
+  add("polygons", text_option(o.polygons, "FILE"),
+      "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, "
+      ".obj or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines "
+      "where they meet. A shape of very few points has no polygon");
+  add("crs", text_option(o.crs, "NAME"),
+      "the name of the coordinate reference system, such as urn:ogc:def:crs:EPSG::25833, which --polygons (.geojson, "
+      ".json) writes as it is given");
+  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
+  add("report", text_option(o.report, "FILE"),
+      "JSON with warnings, parameters, counts, quality, times, memory and relations: parallel and coplanar groups of "
+      "shapes, orthogonal pairs of parallel groups, all counted from 0");
+}
+
+inline void add_mesh_options(po::options_description& group, Options& o)
+{
+  const std::string planes = "--mesh takes the N planes with most points: " + std::to_string(mesh_planes_by_default) +
+                             " by default, and up to " + std::to_string(most_mesh_planes);
+  auto add = group.add_options();
+  add("mesh", text_option(o.mesh, "FILE"),
+      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
+      "other files are complete");
+  add("mesh-planes", number_option(o.mesh_planes, "N"), planes.c_str());
+}
+
+inline void add_view_option(po::options_description& group, Options& o)
+{
+  group.add_options()(
+    "view", text_option(o.view, "FILE"),
+    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
+}
+
+// What the program was built without is hidden: it is known, to say so, but not offered.
+inline void add_output_options(po::options_description& visible, po::options_description& hidden, Options& o,
+                               const Built_with& built)
+{
+  po::options_description group("Output (files appear only when they are complete)");
+  add_cloud_options(group, o, built);
+  add_result_options(group, o, built);
+  add_view_option(built.view ? group : hidden, o);
+  add_mesh_options(group, o);
+  visible.add(group);
+  hidden.add_options()("vg-by-plane",
+                       po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone
+}
+
+// ---
 
 inline std::string usage(const Built_with& built)
 {
@@ -45,42 +275,33 @@ inline std::string usage(const Built_with& built)
   return text;
 }
 
-namespace po = boost::program_options;
-
 inline void add_detection_options(po::options_description& all, Options& o)
 {
   po::options_description group("Detection (lengths in the units of the input, angles in degrees)");
   add_tolerance_options(group, o);
-  const auto number = [](std::optional<double>& target) {
-    return po::value<double>()->notifier([&target](double x) { target = x; });
-  };
-  const auto count = [](std::optional<long long>& target) {
-    return po::value<long long>()->notifier([&target](long long x) { target = x; });
-  };
   const auto off = [](bool& target) {
     return po::bool_switch()->notifier([&target](bool is_given) { target = !is_given; });
   };
   auto add = group.add_options();
-  add("maximum-angle", number(o.maximum_angle)->value_name("DEG"),
+  add("maximum-angle", number_option(o.maximum_angle, "DEG"),
       "largest angle between the normal of a point and that of its shape, from 0.05 to below 90 (default: 25)");
-  add("angle-tolerance", number(o.angle_tolerance)->value_name("DEG"),
+  add("angle-tolerance", number_option(o.angle_tolerance, "DEG"),
       "angle within which shapes are made parallel or orthogonal if their points allow it, below 45 (default: 8)");
   add(
-    "maximum-offset", number(o.maximum_offset)->value_name("D"),
+    "maximum-offset", number_option(o.maximum_offset, "D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
-  add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
+  add("minimum-region-size", number_option(o.minimum_region_size, "N"),
       "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
-  add("simplicity", number(o.simplicity)->value_name("MU"),
+  add("simplicity", number_option(o.simplicity, "MU"),
       "what the size of a shape is worth, from 0, more layers and details, to 1, few and large planes (default: 0.04)");
-  add("regularity", number(o.regularity)->value_name("R"),
+  add("regularity", number_option(o.regularity, "R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");
-  add("surfel-size", number(o.surfel_size)->value_name("R"),
+  add("surfel-size", number_option(o.surfel_size, "R"),
       "edge of the cells whose points are taken as one while shapes grow, as a share of the maximum distance, from 0, "
       "each point by itself, to 0.55 (default: 0.55)");
-  add("k-neighbors", count(o.k_neighbors)->value_name("K"),
-      "number of neighbors of a point, from 3 to 64 (default: 12)");
-  add("cell-size", count(o.cell_size)->value_name("N"),
+  add("k-neighbors", number_option(o.k_neighbors, "K"), "number of neighbors of a point, from 3 to 64 (default: 12)");
+  add("cell-size", number_option(o.cell_size, "N"),
       "largest number of points of an octree cell, from 64 to 65536 (default: 8192)");
   add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
   add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
@@ -99,11 +320,11 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same; "
     "for --mesh it is the direction upward");
   add(
-    "planes-from", po::value<std::string>(&o.planes_from)->value_name("FILE"),
+    "planes-from", text_option(o.planes_from, "FILE"),
     "the planes of FILE instead of a detection: lines 'a b c d' as --planes writes them, or a table with columns a, b, "
     "c and d. Each point gets the nearest plane within the maximum distance and, where the input has normals, the "
     "maximum angle. Planes have no end, and their points need not be connected");
-  add("estimate-normals", count(o.estimate_normals)->value_name("[K]"),
+  add("estimate-normals", number_option(o.estimate_normals, "[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);
 }
@@ -115,9 +336,8 @@ inline void add_execution_options(po::options_description& all, Options& o, cons
     backends += (backends.empty() ? "" : ", ") + name;
   po::options_description group("Execution");
   auto add = group.add_options();
-  add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
-      (backends + "; all give the same result (default: auto)").c_str());
-  add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
+  add("backend", text_option(o.backend, "NAME"), (backends + "; all give the same result (default: auto)").c_str());
+  add("threads", number_option(o.threads, "N"),
       built.mpi ? "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine "
                   "are shared by the processes on it)"
                 : "largest number of threads, up to 4096 (default: all processors)");
@@ -166,7 +386,7 @@ inline void check_values(const po::variables_map& map)
   for(const auto& [name, value] : map) {
     const auto* text = boost::any_cast<std::string>(&value.value());
     if(text != nullptr && text->empty())
-      throw Usage_error("--" + name + " is empty");
+      throw_error<Usage_error>("--", name, " is empty");
   }
 }
 

@@ -1,23 +1,30 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bytes of a file, and how the readers get them.
+// The bytes of a file, its lines, and the values of a row of a table.
 
 #ifndef DETECT_PLANES_INPUT_BUFFER_H
 #define DETECT_PLANES_INPUT_BUFFER_H
 
+#include "errors.h"
 #include "signals.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <streambuf>
-#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace program {
+
+// --- The bytes of a file, and how the readers get them.
 
 // The bytes of a file; of one that ends in .gz, those that it had before it was compressed.
 class Byte_source {
@@ -91,6 +98,206 @@ private:
   std::array<char, 65536> buffer;
   std::uint64_t position_of_file; // behind the bytes in the buffer
   std::uint64_t behind;
+};
+
+constexpr std::size_t longest_line = 65536; // in bytes. Longer ones are no text, and would fill the memory
+
+constexpr const char* carriage_return_alone =
+  "ends in a carriage return alone (end lines with a line feed: tr '\\r' '\\n' < FILE)";
+
+[[noreturn]] inline void fail_at_row(std::size_t row, const std::string& reason)
+{
+  throw_error("row ", row, ' ', reason);
+}
+
+inline bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+inline std::size_t first_not_blank(std::string_view text)
+{
+  return std::size_t(std::find_if_not(text.begin(), text.end(), is_blank) - text.begin());
+}
+
+struct Text_row {
+  std::size_t number; // in the file, from 1 on
+  std::string text;
+};
+
+// The lines of a text, without their ends. A carriage return is part of an end only before a line feed, or where the
+// file ends: elsewhere it would make one line of many.
+class Text_lines {
+public:
+  explicit Text_lines(Input_buffer& in) : in(in) {}
+
+  bool next()
+  {
+    std::string& line = row_.text;
+    line.clear();
+    std::string_view bytes = in.bytes_at_hand();
+    if(bytes.empty())
+      return false;
+    ++row_.number;
+    bool has_end = false;
+    while(!bytes.empty() && !has_end && line.size() <= longest_line + 1) {
+      const std::size_t end = bytes.find('\n');
+      has_end = end != bytes.npos;
+      line.append(bytes.substr(0, end));
+      in.skip(has_end ? end + 1 : bytes.size());
+      bytes = has_end ? bytes : in.bytes_at_hand();
+    }
+    if(has_end || bytes.empty())
+      line.resize(line.find_last_not_of('\r') + 1);
+    check();
+    if(row_.number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) // the mark of UTF-8
+      line.erase(0, 3);
+    return true;
+  }
+
+  // The next one that is not empty.
+  bool next_filled()
+  {
+    while(next())
+      if(first_not_blank(row_.text) < row_.text.size())
+        return true;
+    return false;
+  }
+
+  const Text_row& row() const { return row_; }
+
+private:
+  void check() const
+  {
+    if(row_.text.find('\r') != row_.text.npos)
+      fail_at_row(row_.number, carriage_return_alone);
+    if(row_.text.size() > longest_line)
+      fail_at_row(row_.number, "has more than " + std::to_string(longest_line) + " bytes, the limit of a line");
+    if(row_.text.find('\0') != row_.text.npos)
+      fail_at_row(row_.number, "has a byte 0, which no text has but one of UTF-16");
+  }
+
+  Input_buffer& in;
+  Text_row row_ = {0, ""};
+};
+
+// What separates the values of a row: semicolons if it has any, else commas, else blanks. So a row that has several of
+// them is no row of numbers.
+inline char separator_of(std::string_view row)
+{
+  return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' ';
+}
+
+// The values of a row. Between two commas or semicolons there may be an empty one; blanks around them do not count.
+class Table_values {
+public:
+  explicit Table_values(std::string_view row) : Table_values(row, separator_of(row)) {}
+  Table_values(std::string_view row, char separator) : rest(row), separator_(separator) {}
+
+  // False at the end of the row.
+  bool next(std::string_view& value)
+  {
+    rest.remove_prefix(first_not_blank(rest));
+    if(rest.empty())
+      return false;
+    const auto is_end = [this](char c) { return separator_ == ' ' ? is_blank(c) : c == separator_; };
+    const std::size_t size = std::size_t(std::find_if(rest.begin(), rest.end(), is_end) - rest.begin());
+    value = rest.substr(0, size);
+    rest.remove_prefix((std::min)(size + 1, rest.size()));
+    while(!value.empty() && is_blank(value.back()))
+      value.remove_suffix(1);
+    return true;
+  }
+
+  char separator() const { return separator_; }
+
+private:
+  std::string_view rest;
+  char separator_;
+};
+
+inline std::vector<std::string_view> values_of(std::string_view row)
+{
+  std::vector<std::string_view> values;
+  Table_values rest(row);
+  for(std::string_view value; rest.next(value);)
+    values.push_back(value);
+  return values;
+}
+
+// Nothing if the text is no number, or too large for one. An empty value is NaN.
+inline std::optional<double> parse_number(std::string_view text)
+{
+  if(text.empty())
+    return std::numeric_limits<double>::quiet_NaN();
+  if(text.size() > 1 && text.front() == '+' && text[1] != '-')
+    text.remove_prefix(1);
+  double number = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+  if(end.ec != std::errc() || end.ptr != text.data() + text.size())
+    return std::nullopt;
+  return number;
+}
+
+// What there is to say of a row that cannot be read.
+inline std::string advice_on_commas(std::string_view row)
+{
+  return row.find(',') == row.npos ? ""
+                                   : "; commas are no part of numbers: write numbers with a decimal point, and without "
+                                     "separators of thousands";
+}
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+inline bool is_comment(std::string_view row)
+{
+  row.remove_prefix(first_not_blank(row));
+  return row.substr(0, 1) == "#" || row.substr(0, 2) == "//";
+}
+
+// The rows of a table that are not empty. Where numbers have decimal commas, these become points.
+class Table_rows {
+public:
+  Table_rows(Text_lines& lines, bool has_decimal_commas) : lines(lines), has_decimal_commas(has_decimal_commas) {}
+
+  bool next()
+  {
+    if(!lines.next_filled())
+      return false;
+    if(has_decimal_commas) {
+      changed = lines.row();
+      change();
+    }
+    return true;
+  }
+
+  const Text_row& row() const { return has_decimal_commas ? changed : lines.row(); }
+
+private:
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+  static bool is_number(std::string_view value)
+  {
+    return value.find_first_not_of("0123456789+-.,eE") == value.npos && value.find_first_of("0123456789") != value.npos;
+  }
+
+  // A comma before a digit, behind one or at the beginning of a number.
+  void change()
+  {
+    std::string& text = changed.text;
+    Table_values values(text, text.find(';') == text.npos ? ' ' : ';');
+    for(std::string_view value; values.next(value);)
+      if(value.find('.') != value.npos && is_number(value) && !is_comment(text))
+        fail_at_row(changed.number, "has '" + std::string(value.substr(0, 40)) +
+                                      "': with --decimal-comma, numbers have a comma, and neither a point nor "
+                                      "separators of thousands");
+    for(std::size_t i = 0; i + 1 < text.size(); ++i)
+      if(text[i] == ',' && is_digit(text[i + 1]) &&
+         (i == 0 || is_digit(text[i - 1]) || is_blank(text[i - 1]) ||
+          std::string_view(";+-").find(text[i - 1]) != std::string_view::npos))
+        text[i] = '.';
+  }
+
+  Text_lines& lines;
+  bool has_decimal_commas;
+  Text_row changed = {0, ""};
 };
 
 } // namespace program

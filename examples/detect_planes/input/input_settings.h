@@ -4,19 +4,206 @@
 #ifndef DETECT_PLANES_INPUT_SETTINGS_H
 #define DETECT_PLANES_INPUT_SETTINGS_H
 
-#include "input/Input_box.h"
-#include "input/table_columns.h"
+#include "errors.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <optional>
-#include <stdexcept>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace program {
+
+// --- The values of a file that an option names.
+
+// What names differ by that mean the same: case, blanks and underscores, and the word that CloudCompare puts before.
+inline std::string plain_name(std::string_view text)
+{
+  std::string name;
+  for(unsigned char c : text)
+    if(c != '"' && c != '\'' && c != '_' && c != ' ')
+      name += char(std::tolower(c));
+  return name.compare(0, 6, "scalar") == 0 && name.size() > 6 ? name.substr(6) : name;
+}
+
+// Names of what is passed over.
+inline bool is_no_name(const std::string& name) { return plain_name(name).empty() || name == "-"; }
+
+inline bool mean_the_same(const std::string& a, const std::string& b)
+{
+  return !is_no_name(a) && plain_name(a) == plain_name(b);
+}
+
+// The place of a name of --tolerance-column: the name itself, else the first that means the same.
+// kind: what has these names, for the message.
+inline std::size_t find_name(const std::vector<std::string>& names, const std::string& wanted, const std::string& kind)
+{
+  auto found = is_no_name(wanted) ? names.end() : std::find(names.begin(), names.end(), wanted);
+  if(found == names.end())
+    found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return mean_the_same(name, wanted); });
+  if(found != names.end())
+    return std::size_t(found - names.begin());
+  std::string all;
+  for(const std::string& name : names)
+    if(!is_no_name(name))
+      all += (all.empty() ? "" : ", ") + name;
+  throw_error("has no ", kind, " '", wanted, "', which --tolerance-column names; it has ",
+              (all.empty() ? "none" : all));
+}
+
+// A box in the coordinates of the inputs, with its sides. It starts empty.
+struct Input_box {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+  // No point that is not finite is within, also where a side is open.
+  bool has(const double* p) const
+  {
+    for(std::size_t c = 0; c < 3; ++c)
+      if(!(p[c] >= low[c] && p[c] <= high[c]) || p[c] - p[c] != 0)
+        return false;
+    return true;
+  }
+
+  // Leaves out points that are not finite.
+  void add(const double* p)
+  {
+    const double sum = p[0] + p[1] + p[2];
+    for(std::size_t c = 0; c < 3 && sum - sum == 0; ++c) {
+      low[c] = (std::min)(low[c], p[c]);
+      high[c] = (std::max)(high[c], p[c]);
+    }
+  }
+
+  // As the option --crop takes it.
+  std::string text() const
+  {
+    std::ostringstream out;
+    out.precision(10);
+    for(std::size_t c = 0; c < 6; ++c)
+      out << (c > 0 ? "," : "") << (c < 3 ? low[c] : high[c - 3]);
+    return out.str();
+  }
+};
+
+// --- The columns of text tables, by name or by their values.
+
+// `tolerance` is that of --tolerance-column, `none` is passed over.
+enum class Column { x, y, z, nx, ny, nz, red, green, blue, intensity, classification, tolerance, none };
+
+constexpr std::array<const char*, 13> column_names = {
+  "x", "y", "z", "nx", "ny", "nz", "r", "g", "b", "intensity", "classification", "tolerance", "_"};
+
+// The values of a row, by column.
+using Row_values = std::array<double, std::size_t(Column::none)>;
+
+inline const char* name_of(Column c) { return column_names[std::size_t(c)]; }
+
+inline bool is_in(std::string_view name, std::initializer_list<const char*> names)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
+
+// Names as CloudCompare, PCL, PDAL and others write them; `none` for any other.
+inline Column column_of_name(std::string_view text)
+{
+  std::string name;
+  for(unsigned char c : text)
+    if(c != '"' && c != '\'' && c != '_' && !is_separator(char(c)))
+      name += char(std::tolower(c));
+  if(name.compare(0, 6, "scalar") == 0)
+    name.erase(0, 6);
+  static const std::array<std::initializer_list<const char*>, 11> known = {{{"x"},
+                                                                            {"y"},
+                                                                            {"z"},
+                                                                            {"nx", "normalx"},
+                                                                            {"ny", "normaly"},
+                                                                            {"nz", "normalz"},
+                                                                            {"r", "red", "diffusered"},
+                                                                            {"g", "green", "diffusegreen"},
+                                                                            {"b", "blue", "diffuseblue"},
+                                                                            {"i", "intensity"},
+                                                                            {"class", "classification"}}};
+  for(std::size_t c = 0; c < known.size(); ++c)
+    if(is_in(name, known[c]))
+      return Column(c);
+  return Column::none;
+}
+
+inline bool has_column(const std::vector<Column>& columns, Column c)
+{
+  return std::find(columns.begin(), columns.end(), c) != columns.end();
+}
+
+inline bool has_coordinates(const std::vector<Column>& columns)
+{
+  return has_column(columns, Column::x) && has_column(columns, Column::y) && has_column(columns, Column::z);
+}
+
+inline std::string names_of(const std::vector<Column>& columns)
+{
+  std::string names;
+  for(Column c : columns)
+    names += (names.empty() ? "" : " ") + std::string(name_of(c));
+  return names;
+}
+
+// Normals and colors have three columns, or none: an incomplete triple is passed over.
+inline bool remove_incomplete(std::vector<Column>& columns)
+{
+  bool is_changed = false;
+  for(Column first : {Column::nx, Column::red}) {
+    const auto is_in_triple = [first](Column c) { return c >= first && int(c) < int(first) + 3; };
+    const auto count = std::count_if(columns.begin(), columns.end(), is_in_triple);
+    is_changed = is_changed || (count != 0 && count != 3);
+    if(count != 3)
+      std::replace_if(columns.begin(), columns.end(), is_in_triple, Column::none);
+  }
+  return is_changed;
+}
+
+// The value of --columns; tolerance: that of --tolerance-column.
+inline std::vector<Column> parse_columns(const std::string& text, const std::string& tolerance = "")
+{
+  std::vector<Column> columns;
+  for(auto first = text.begin(); first != text.end();) {
+    const auto last = std::find_if(first, text.end(), is_separator);
+    const std::string name(first, last);
+    first = std::find_if_not(last, text.end(), is_separator);
+    if(name.empty())
+      continue;
+    const Column c = mean_the_same(name, tolerance) ? Column::tolerance : column_of_name(name);
+    if(c == Column::none && !is_no_name(name))
+      throw_error<Usage_error>("--columns has '", name,
+                               "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to "
+                               "pass over");
+    if(c != Column::none && has_column(columns, c))
+      throw_error<Usage_error>("--columns has '", name, "' twice");
+    columns.push_back(c);
+  }
+  if(!has_coordinates(columns))
+    throw std::invalid_argument("--columns must have x, y and z");
+  if(remove_incomplete(columns))
+    throw std::invalid_argument("--columns must have all three of nx ny nz or of r g b, or none");
+  if(!tolerance.empty() && !has_column(columns, Column::tolerance))
+    throw_error<Usage_error>("--columns has no '", tolerance, "', which --tolerance-column names");
+  return columns;
+}
+
+// The first rows of a table, all with as many values; NaN for what is no number.
+using Sample = std::vector<std::vector<double>>;
+
+constexpr double largest_error_of_length = .1; // of a normal, which should have length 1
+
+// ---
 
 // How inputs are read.
 struct Input_settings {
@@ -33,9 +220,9 @@ struct Input_settings {
 inline void check_no_attributes(const Input_settings& settings, const std::string& what)
 {
   if(!settings.classes.empty())
-    throw std::runtime_error(what + " have no 'classification', which --classes needs");
+    throw_error(what, " have no 'classification', which --classes needs");
   if(!settings.tolerance.empty())
-    throw std::runtime_error(what + " have no '" + settings.tolerance + "', which --tolerance-column names");
+    throw_error(what, " have no '", settings.tolerance, "', which --tolerance-column names");
 }
 
 // Of degrees in place of lengths.

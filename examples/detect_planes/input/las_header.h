@@ -6,35 +6,9 @@
 #ifndef DETECT_PLANES_LAS_HEADER_H
 #define DETECT_PLANES_LAS_HEADER_H
 
-#include "input/Cloud_builder.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
-
-#include <cstring>
+#include "input/readers.h"
 
 namespace program {
-
-// A little-endian number of any type.
-template <class T>
-T number_at(const char* bytes)
-{
-  std::uint64_t bits = 0;
-  for(std::size_t i = 0; i < sizeof(T); ++i)
-    bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << 8 * i;
-  T value;
-  if constexpr(sizeof(T) == 8) {
-    std::memcpy(&value, &bits, 8);
-  } else if constexpr(sizeof(T) == 4) {
-    const std::uint32_t low = std::uint32_t(bits);
-    std::memcpy(&value, &low, 4);
-  } else {
-    value = T(bits);
-  }
-  return value;
-}
-
-// A little-endian number of a type that is known at run time: I, U or F, signed, unsigned or real.
-double number_of_type(const char* bytes, char type, std::size_t size);
 
 // A number behind the bytes of the point format, as a record of the header describes it.
 struct Las_dimension {

@@ -62,6 +62,8 @@ inline bool is_finite(const Kernel::Point_3& p)
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+inline bool is_zero(const Kernel::Point_3& p) { return p.x() == 0 && p.y() == 0 && p.z() == 0; }
+
 inline bool is_usable_normal(const Kernel::Vector_3& v)
 {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()) && v != CGAL::NULL_VECTOR;

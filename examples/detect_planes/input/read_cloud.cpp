@@ -1,20 +1,47 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/read_cloud.h"
-#include "Built_with.h"
-
+#include "Options.h"
 #include "file_names.h"
+#include "input/read_cloud.h"
 #include "input/readers.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
-#include <utility>
 
 namespace program {
+
+namespace {
+
+class File_source final : public Byte_source {
+public:
+  explicit File_source(const std::string& path) : size_(std::uint64_t(std::filesystem::file_size(path)))
+  {
+    if(!file.open(path, std::ios::in | std::ios::binary))
+      throw std::runtime_error("cannot be opened");
+  }
+
+  std::uint64_t size() const override { return size_; }
+  void seek(std::uint64_t position) override { file.pubseekpos(std::streamoff(position), std::ios::in); }
+  std::size_t read(char* bytes, std::size_t count) override
+  {
+    return std::size_t(file.sgetn(bytes, std::streamsize(count)));
+  }
+
+private:
+  std::filebuf file;
+  std::uint64_t size_;
+};
+
+} // namespace
+
+std::unique_ptr<Byte_source> open_bytes(const std::string& path)
+{
+  if(!is_gzip(path))
+    return std::make_unique<File_source>(path);
+  if constexpr(has_gzip)
+    return open_gzip(path);
+  throw std::runtime_error("this program was built without zlib; decompress the file with gunzip");
+}
 
 namespace {
 
@@ -45,14 +72,14 @@ void check_format(const std::string& path, const std::string& given)
   if(is_input_extension(extension))
     return;
   if(extension == ".e57" || extension == ".rcp")
-    throw std::runtime_error("files " + extension + " are not read; convert to LAS, PLY or PCD, for example with " +
-                             "CloudCompare or PDAL");
+    throw_error("files ", extension, " are not read; convert to LAS, PLY or PCD, for example with ",
+                "CloudCompare or PDAL");
   if(extension == ".stl" || extension == ".obj" || extension == ".glb")
-    throw std::runtime_error("meshes " + extension + " are not read; convert to PLY or OFF, and give --sample N, " +
-                             "the number of points on its faces");
+    throw_error("meshes ", extension, " are not read; convert to PLY or OFF, and give --sample N, ",
+                "the number of points on its faces");
   const std::string format = format_of_bytes(path);
-  throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs() + "; --format " +
-                           (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
+  throw_error("unknown format '", extension, "', expected ", known_inputs(), "; --format ",
+              (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
 }
 
 void check_file(const std::string& path, const Input_settings& settings)
@@ -65,12 +92,12 @@ void check_file(const std::string& path, const Input_settings& settings)
   if(status.type() == fs::file_type::directory)
     throw std::runtime_error("is a directory");
   if(status.type() != fs::file_type::regular)
-    throw std::runtime_error("is not a regular file" + (error ? " (" + error.message() + ")" : ""));
+    throw_error("is not a regular file", (error ? " (" + error.message() + ")" : ""));
   if(fs::file_size(path, error) == 0)
     throw std::runtime_error("is empty");
   errno = 0;
   if(!std::ifstream(path, std::ios::binary))
-    throw std::runtime_error(std::string("cannot be opened (") + std::strerror(errno) + ")");
+    throw_error("cannot be opened (", std::strerror(errno), ")");
   check_format(path, settings.format);
 }
 
@@ -124,7 +151,7 @@ std::string why_no_points(const Input_settings& settings, const Input_notes& not
 void check_points(Point_set& points)
 {
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
-    throw std::runtime_error("none of its " + std::to_string(points.size()) + " points has finite coordinates");
+    throw_error("none of its ", points.size(), " points has finite coordinates");
   // Some writers fill the fields of normals that they do not have with zeros.
   if(points.has_normal_map() &&
      std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_usable_normal(points.normal(i)); }))
@@ -177,9 +204,8 @@ void reduce_attributes(Point_set& more, Input_cloud& cloud)
 
 [[noreturn]] void rethrow_with(const std::string& path, const std::runtime_error& e)
 {
-  if(is_interrupted()) // what a signal has cut off is no fault of the file
-    throw Interrupted();
-  throw std::runtime_error(path + ": " + e.what());
+  check_signals(); // what a signal has cut off is no fault of the file
+  throw_error(path, ": ", e.what());
 }
 
 } // namespace
@@ -211,8 +237,7 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
     check_file(path, settings);
     read_format(path, settings, points, notes);
     crop(settings, points, notes);
-    if(is_interrupted())
-      throw Interrupted();
+    check_signals();
     if(!points.empty())
       return check_points(points);
     const std::string message = why_no_points(settings, notes);

@@ -10,10 +10,6 @@
 #include "input/input_settings.h"
 #include "input/point_set.h"
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace program {
 
 void read_cloud(const std::string& path, const Input_settings& settings, bool may_be_empty, Point_set& points,

@@ -3,8 +3,6 @@
 
 #include "input/Input_buffer.h"
 
-#include <memory>
-#include <stdexcept>
 #include <vector>
 #include <zlib.h>
 
@@ -22,8 +20,7 @@ public:
     gzbuffer(file.get(), 1 << 17);
     std::vector<char> block(1 << 18);
     for(std::size_t n = 1; n > 0; size_ += n) {
-      if(is_interrupted())
-        throw Interrupted();
+      check_signals();
       n = read(block.data(), block.size());
     }
     if(gzdirect(file.get()))

@@ -1,17 +1,200 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Built_with.h"
-#include "input/readers.h"
-
+#include "Options.h"
 #include "file_names.h"
-#include "input/Cloud_builder.h"
-#include "input/find_name.h"
 #include "input/las_header.h"
 
-#include <stdexcept>
-
 namespace program {
+
+namespace {
+
+constexpr std::size_t smallest_header = 227, header_1_4 = 375, record_header = 54;
+
+void read_exactly(Input_buffer& in, char* bytes, std::size_t count, const char* what)
+{
+  if(in.left() < count || std::size_t(in.sgetn(bytes, std::streamsize(count))) != count)
+    throw_error("is truncated: ", what, " is not complete");
+}
+
+Las_frame read_frame(const char* bytes)
+{
+  Las_frame frame;
+  for(std::size_t i = 0; i < 3; ++i) {
+    frame.scale[i] = number_at<double>(bytes + 131 + 8 * i);
+    frame.offset[i] = number_at<double>(bytes + 155 + 8 * i);
+    if(!std::isfinite(frame.scale[i]) || frame.scale[i] == 0 || !std::isfinite(frame.offset[i]))
+      throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
+  }
+  return frame;
+}
+
+void check_point_format(const Las_header& h)
+{
+  if(h.point_format > 10)
+    throw_error("has LAS points of the unknown format ", h.point_format, ", expected 0 to 10");
+  const std::size_t least = las_point_size(h.point_format);
+  if(h.record_length < least)
+    throw_error("has LAS points of ", h.record_length, " bytes, the format ", h.point_format, " needs ", least);
+}
+
+// What the records hold. If that is both, the flag of the header says which to use.
+Projection projection_of(const std::vector<std::string>& records, bool is_declared_wkt)
+{
+  constexpr std::uint16_t wkt = 2112, geotiff_keys = 34735;
+  const auto has = [&records](std::uint16_t id) {
+    return std::any_of(records.begin(), records.end(),
+                       [id](const std::string& r) { return number_at<std::uint16_t>(r.data() + 18) == id; });
+  };
+  if(has(wkt) && (is_declared_wkt || !has(geotiff_keys)))
+    return Projection::wkt;
+  return has(geotiff_keys) ? Projection::geotiff : Projection::none;
+}
+
+// Whether a record of the header describes the extra bytes of the points.
+bool describes_bytes(const std::string& record)
+{
+  return record.compare(2, 10, std::string("LASF_Spec\0", 10)) == 0 &&
+         number_at<std::uint16_t>(record.data() + 18) == 4;
+}
+
+// The types are integers of 1, 2, 4 and 8 bytes, each without and with a sign, float and double; in older files two and
+// three numbers of these, too. Bytes of no type are as many as the options say.
+std::size_t size_of_dimension(std::size_t type, std::size_t options)
+{
+  constexpr std::size_t sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  if(type == 0 || type > 30)
+    return type == 0 ? options : 0;
+  return ((type - 1) / 10 + 1) * sizes[(type - 1) % 10];
+}
+
+// The extra bytes of points, as far as the record describes them.
+std::vector<Las_dimension> dimensions_of(const std::string& record, const Las_header& h)
+{
+  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16;
+  std::vector<Las_dimension> dimensions;
+  std::size_t position = las_point_size(h.point_format);
+  for(std::size_t first = record_header; first + description <= record.size(); first += description) {
+    const char* const d = record.data() + first;
+    const std::size_t type = std::uint8_t(d[2]), options = std::uint8_t(d[3]);
+    const std::size_t size = size_of_dimension(type, options);
+    if(size == 0 || position + size > h.record_length)
+      break;
+    if(type >= 1 && type <= 10)
+      dimensions.push_back({std::string(d + 4, std::find(d + 4, d + 36, '\0')), "UIUIUIUIFF"[type - 1], size, position,
+                            (options & scale_bit) != 0 ? number_at<double>(d + 112) : 1,
+                            (options & offset_bit) != 0 ? number_at<double>(d + 136) : 0});
+    position += size;
+  }
+  return dimensions;
+}
+
+// The records that tell the coordinate system, and the one of extra bytes. What comes after a damaged one is left out.
+std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std::uint64_t end)
+{
+  std::vector<std::string> records;
+  for(; count > 0 && in.position() + record_header <= end; --count) {
+    std::string record(record_header, '\0');
+    read_exactly(in, record.data(), record_header, "a record of the LAS header");
+    const std::uint16_t length = number_at<std::uint16_t>(record.data() + 20);
+    if(length > end - in.position())
+      break;
+    if(record.compare(2, 15, "LASF_Projection") != 0 && !describes_bytes(record)) {
+      in.skip(length);
+      continue;
+    }
+    record.resize(record_header + length);
+    read_exactly(in, record.data() + record_header, length, "a record of the LAS header");
+    records.push_back(record);
+  }
+  return records;
+}
+
+} // namespace
+
+std::size_t las_point_size(int point_format)
+{
+  constexpr std::size_t sizes[11] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+  return sizes[point_format];
+}
+
+double number_of_type(const char* bytes, char type, std::size_t size)
+{
+  switch(type == 'F' ? 10 + size : type == 'I' ? size : 20 + size) {
+  case 1:
+    return double(number_at<std::int8_t>(bytes));
+  case 2:
+    return double(number_at<std::int16_t>(bytes));
+  case 4:
+    return double(number_at<std::int32_t>(bytes));
+  case 8:
+    return double(number_at<std::int64_t>(bytes));
+  case 14:
+    return double(number_at<float>(bytes));
+  case 18:
+    return number_at<double>(bytes);
+  case 21:
+    return double(number_at<std::uint8_t>(bytes));
+  case 22:
+    return double(number_at<std::uint16_t>(bytes));
+  case 24:
+    return double(number_at<std::uint32_t>(bytes));
+  default:
+    return double(number_at<std::uint64_t>(bytes));
+  }
+}
+
+double value_of(const char* bytes, const Las_dimension& d)
+{
+  return std::fma(number_of_type(bytes, d.type, d.size), d.scale, d.offset);
+}
+
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis)
+{
+  const volatile double scaled = integer * frame.scale[axis];
+  return scaled + frame.offset[axis];
+}
+
+Las_header read_las_header(Input_buffer& in)
+{
+  char bytes[header_1_4] = {};
+  if(in.left() < 4 || in.sgetn(bytes, 4) != 4 || std::memcmp(bytes, "LASF", 4) != 0)
+    throw std::runtime_error("is not a LAS file (it does not begin with LASF)");
+  read_exactly(in, bytes + 4, smallest_header - 4, "the LAS header");
+  if(bytes[24] != 1 || bytes[25] < 0 || bytes[25] > 4)
+    throw_error("has the LAS version ", int(bytes[24]), '.', int(bytes[25]), ", expected 1.0 to 1.4");
+  Las_header h;
+  h.minor_version = bytes[25];
+  const std::size_t header_size = number_at<std::uint16_t>(bytes + 94);
+  if(header_size < smallest_header)
+    throw_error("has a LAS header of ", header_size, " bytes");
+  h.first_point = number_at<std::uint32_t>(bytes + 96);
+  h.is_compressed = (bytes[104] & 0xC0) != 0;
+  h.point_format = bytes[104] & 0x3F;
+  h.record_length = number_at<std::uint16_t>(bytes + 105);
+  h.count = number_at<std::uint32_t>(bytes + 107);
+  h.frame = read_frame(bytes);
+  check_point_format(h);
+  if(h.minor_version == 4 && header_size >= header_1_4) {
+    read_exactly(in, bytes + smallest_header, header_1_4 - smallest_header, "the LAS header");
+    const std::uint64_t count = number_at<std::uint64_t>(bytes + 247);
+    h.count = count > 0 ? count : h.count;
+  }
+  if(h.first_point < header_size)
+    throw std::runtime_error("the points of the LAS file begin in its header");
+  in.skip((std::min)(in.left(), header_size - in.position()));
+  for(std::string& record :
+      read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left())))
+    if(describes_bytes(record))
+      h.dimensions = dimensions_of(record, h);
+    else
+      h.frame.records.push_back(std::move(record));
+  constexpr std::uint16_t wkt_bit = 16;
+  h.frame.projection = projection_of(h.frame.records, (number_at<std::uint16_t>(bytes + 6) & wkt_bit) != 0);
+  return h;
+}
+
+namespace {
 
 Point_row point_of_record(const char* record, const Las_header& h)
 {
@@ -27,8 +210,6 @@ Point_row point_of_record(const char* record, const Las_header& h)
   return row;
 }
 
-namespace {
-
 // That of --tolerance-column, or null.
 const Las_dimension* tolerance_of(const Las_header& h, const std::string& wanted)
 {
@@ -43,9 +224,8 @@ void read_records(Input_buffer& in, const Las_header& h, const Las_dimension* to
   std::vector<char> record(h.record_length);
   for(std::uint64_t i = 0; i < h.count; ++i) {
     if(in.sgetn(record.data(), h.record_length) != h.record_length) {
-      if(is_interrupted())
-        throw Interrupted();
-      throw std::runtime_error("unreadable after point " + std::to_string(i) + " of " + std::to_string(h.count));
+      check_signals();
+      throw_error("unreadable after point ", i, " of ", h.count);
     }
     Point_row row = point_of_record(record.data(), h);
     if(tolerance != nullptr)
@@ -59,8 +239,7 @@ void check_room(Input_buffer& in, const Las_header& h)
   const std::uint64_t bytes = in.position() + in.left();
   const std::uint64_t room = h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0;
   if(room < h.count)
-    throw std::runtime_error("is truncated: " + std::to_string(h.count) + " points announced, room for " +
-                             std::to_string(room));
+    throw_error("is truncated: ", h.count, " points announced, room for ", room);
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "input/las_header.h"
 
 #include <laszip_api.h>
-#include <stdexcept>
 
 namespace program {
 
@@ -44,8 +43,7 @@ private:
   {
     laszip_CHAR* error = nullptr;
     laszip_get_error(laszip, &error);
-    throw std::runtime_error("cannot be " + what + " by LASzip" +
-                             (error != nullptr ? " (" + std::string(error) + ")" : ""));
+    throw_error("cannot be ", what, " by LASzip", (error != nullptr ? " (" + std::string(error) + ")" : ""));
   }
 
   laszip_POINTER laszip = nullptr;

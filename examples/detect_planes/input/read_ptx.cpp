@@ -3,17 +3,6 @@
 
 #include "input/readers.h"
 
-#include "input/Cloud_builder.h"
-#include "input/Table_rows.h"
-#include "input/table_values.h"
-
-#include <array>
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace program {
 
 namespace {
@@ -27,9 +16,8 @@ struct Ptx_header {
 
 std::vector<double> numbers_of(const Text_row& row)
 {
-  Table_values rest(row.text);
   std::vector<double> numbers;
-  for(std::string_view text; rest.next(text);) {
+  for(std::string_view text : values_of(row.text)) {
     const std::optional<double> number = parse_number(text);
     if(!number)
       fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");
@@ -119,8 +107,7 @@ private:
   void read_point(const Ptx_header& header, std::uint64_t i)
   {
     if(!rows.next())
-      throw std::runtime_error("is truncated: " + std::to_string(i) + " of the " + std::to_string(header.count) +
-                               " points of a scan");
+      throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
     const std::vector<double> numbers = numbers_of(rows.row());
     if(!builder)
       begin(numbers.size());

@@ -2,17 +2,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/readers.h"
-
-#include "input/decimal_commas.h"
-#include "input/Table_reader.h"
 #include "input/table_head.h"
-#include "input/table_values.h"
-
-#include <stdexcept>
 
 namespace program {
 
 namespace {
+
+template <class Integer>
+Integer clamped(double x)
+{
+  constexpr double largest = double((std::numeric_limits<Integer>::max)());
+  return x > 0 ? Integer(std::lround((std::min)(x, largest))) : Integer(0); // NaN is 0
+}
+
+// Makes points of rows, and looks whether their normals are some.
+class Table_reader {
+public:
+  Table_reader(const std::vector<Column>& columns, double channel_unit, const Input_settings& settings,
+               Input_notes& notes, Point_set& points)
+    : columns(columns), fields{has_column(columns, Column::nx), has_column(columns, Column::red),
+                               has_column(columns, Column::intensity), has_column(columns, Column::classification),
+                               has_column(columns, Column::tolerance)},
+      channel_unit(channel_unit), builder(points, fields, settings, notes)
+  {}
+
+  void add(const Row_values& values)
+  {
+    Point_row row;
+    for(std::size_t i = 0; i < 3; ++i) {
+      row.point[i] = values[i];
+      row.normal[i] = values[std::size_t(Column::nx) + i];
+      row.color[i] = clamped<std::uint16_t>(channel_unit * values[std::size_t(Column::red) + i]);
+    }
+    row.intensity = float(values[std::size_t(Column::intensity)]);
+    row.classification = clamped<std::uint8_t>(values[std::size_t(Column::classification)]);
+    row.tolerance = values[std::size_t(Column::tolerance)];
+    builder.add(row);
+    ++count;
+    if(fields.normal)
+      look_at_normal(row.normal);
+  }
+
+  std::size_t finish(Input_notes& notes)
+  {
+    if(channel_unit == 1)
+      builder.widen_colors();
+    if(2 * strange > count)
+      notes.warnings.push_back("the normals (nx ny nz, columns " + places() + ") are far from length 1, as " +
+                               std::to_string(example) + "; name the columns by --columns if they are no normals");
+    return count;
+  }
+
+private:
+  void look_at_normal(const double (&n)[3])
+  {
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if(!(length > 0) || std::fabs(length - 1) <= largest_error_of_length)
+      return;
+    example = strange++ == 0 ? length : example;
+  }
+
+  std::string places() const
+  {
+    std::string text;
+    for(std::size_t c = 0; c < columns.size(); ++c)
+      if(columns[c] == Column::nx || columns[c] == Column::ny || columns[c] == Column::nz)
+        text += (text.empty() ? "" : " ") + std::to_string(c + 1);
+    return text;
+  }
+
+  std::vector<Column> columns;
+  Fields fields;
+  double channel_unit;
+  Cloud_builder builder;
+  std::size_t count = 0, strange = 0;
+  double example = 0;
+};
 
 class Row_parser {
 public:
@@ -68,7 +133,7 @@ double channel_unit_of(const std::vector<Column>& columns, const Sample& sample)
 void check_classes(const std::vector<Column>& columns, const Input_settings& settings)
 {
   if(!settings.classes.empty() && !has_column(columns, Column::classification))
-    throw std::runtime_error("has no classification, which --classes needs (its columns: " + names_of(columns) + ")");
+    throw_error("has no classification, which --classes needs (its columns: ", names_of(columns), ")");
 }
 
 // Looks whether a column that seems to count the rows goes on like that.
@@ -133,8 +198,7 @@ void read_table(Byte_source& file, const std::string& extension, const Input_set
   commas.finish(names_of(columns), notes.warnings);
   counter.finish(notes.warnings);
   if(head.count && *head.count != count)
-    throw std::runtime_error("has " + std::to_string(count) + " rows of points, " + std::to_string(*head.count) +
-                             " announced");
+    throw_error("has ", count, " rows of points, ", *head.count, " announced");
   notes.lines.emplace_back("columns", names_of(columns) + (counts_rows ? " (the first counts the rows)" : ""));
   if(head.is_geographic)
     notes.warnings.push_back("x and y are columns of longitude and latitude: planes need lengths, so " +

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What reads the formats.
+// What reads the formats, and what the readers share.
 
 #ifndef DETECT_PLANES_READERS_H
 #define DETECT_PLANES_READERS_H
@@ -11,6 +11,246 @@
 #include "input/point_set.h"
 
 namespace program {
+
+// What the points of a file have beside coordinates.
+struct Fields {
+  bool normal = false, color = false, intensity = false, classification = false, tolerance = false;
+};
+
+struct Point_row {
+  double point[3] = {0, 0, 0};
+  double normal[3] = {0, 0, 0};
+  Input_color color = {0, 0, 0};
+  float intensity = 0;
+  std::uint8_t classification = 0;
+  double tolerance = 0;
+};
+
+// Some writers put channels of 8 bits into 16: 255 becomes 65535.
+constexpr std::uint16_t wide_channel(std::uint8_t channel) { return std::uint16_t(257 * channel); }
+
+// Appends points to a cloud, in their order; only those of the classes and in the box of the settings, if there are any.
+class Cloud_builder {
+public:
+  Cloud_builder(Point_set& points, const Fields& fields, const Input_settings& settings, Input_notes& notes)
+    : points(points), fields(fields), settings(settings), notes(notes)
+  {
+    if(fields.normal)
+      points.add_normal_map();
+    if(fields.color)
+      colors = points.add_property_map<Input_color>(color_name).first;
+    if(fields.intensity)
+      intensities = points.add_property_map<float>(intensity_name).first;
+    if(fields.classification)
+      classifications = points.add_property_map<std::uint8_t>(classification_name).first;
+    if(fields.tolerance)
+      tolerances = points.add_property_map<double>(tolerance_name).first;
+  }
+
+  // Whether the point is taken.
+  bool add(const Point_row& row)
+  {
+    const std::vector<int>& classes = settings.classes;
+    if(settings.crop)
+      notes.box.add(row.point);
+    if(settings.crop && !settings.crop->has(row.point))
+      return false;
+    if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
+      return false;
+    const Point_set::Index i = *points.insert(Kernel::Point_3(row.point[0], row.point[1], row.point[2]));
+    if(fields.normal)
+      points.normal(i) = Kernel::Vector_3(row.normal[0], row.normal[1], row.normal[2]);
+    if(fields.color)
+      colors[i] = row.color;
+    if(fields.intensity)
+      intensities[i] = row.intensity;
+    if(fields.classification)
+      classifications[i] = row.classification;
+    if(fields.tolerance)
+      tolerances[i] = row.tolerance;
+    return true;
+  }
+
+  // `new_colors[i]` is that of the i-th point.
+  template <class Colors>
+  void set_colors(const Colors& new_colors)
+  {
+    std::size_t count = 0;
+    for(Point_set::Index i : points)
+      colors[i] = new_colors[count++];
+  }
+
+  // Makes 16 bits of colors that use 8.
+  void widen_colors()
+  {
+    const auto is_narrow = [&](Point_set::Index i) {
+      return std::all_of(colors[i].begin(), colors[i].end(), [](std::uint16_t c) { return c <= 255; });
+    };
+    if(!fields.color || !std::all_of(points.begin(), points.end(), is_narrow))
+      return;
+    for(Point_set::Index i : points)
+      for(std::uint16_t& channel : colors[i])
+        channel = wide_channel(std::uint8_t(channel));
+  }
+
+private:
+  Point_set& points;
+  Fields fields;
+  const Input_settings& settings;
+  Input_notes& notes;
+  Point_set::Property_map<Input_color> colors;
+  Point_set::Property_map<float> intensities;
+  Point_set::Property_map<std::uint8_t> classifications;
+  Point_set::Property_map<double> tolerances;
+};
+
+// --- The faces of a mesh, and points on them.
+
+// Whether points are put on the faces of a file: no faces are passed over without a word.
+inline bool samples_faces(std::uint64_t faces, const Input_settings& settings, Input_notes& notes)
+{
+  const std::string number = std::to_string(faces) + (faces == 1 ? " face" : " faces");
+  if(faces > 0 && !settings.sample)
+    throw_error("has ", number,
+                ": --sample N puts N points on the faces of a mesh, --sample 0 takes their corners only");
+  const bool is_sampled = settings.sample && *settings.sample > 0;
+  if(is_sampled && faces == 0)
+    notes.warnings.push_back("has no faces for --sample, its points are taken");
+  if(faces > 0 && is_sampled)
+    notes.lines.emplace_back("sample", std::to_string(*settings.sample) + " points on " + number);
+  if(faces > 0 && !is_sampled)
+    notes.lines.emplace_back("sample", "the corners of " + number);
+  return is_sampled && faces > 0;
+}
+
+// Faces are fans of triangles around their first corner. Each operation is rounded by itself, or is std::fma, so that
+// the points are the same on all machines.
+class Mesh_faces {
+public:
+  explicit Mesh_faces(const Point_set& points)
+  {
+    for(Point_set::Index i : points)
+      corners.push_back({points.point(i).x(), points.point(i).y(), points.point(i).z()});
+  }
+
+  // The places of the corners of a face.
+  void add(const std::vector<double>& face)
+  {
+    ++count;
+    for(double i : face)
+      if(!(i >= 0 && i < double(corners.size())) || i != std::floor(i))
+        throw_error("face ", count, " has a corner that is none of the ", corners.size(), " points");
+    for(std::size_t i = 2; i < face.size(); ++i) {
+      const Triangle t = {std::size_t(face[0]), std::size_t(face[i - 1]), std::size_t(face[i])};
+      const Vector normal = normal_of(t);
+      const double area = length(normal);
+      if(!std::isfinite(area))
+        throw_error("face ", count, " has no finite area");
+      if(!(area > 0))
+        continue;
+      triangles.push_back(t);
+      areas.push_back((areas.empty() ? 0 : areas.back()) + area);
+    }
+  }
+
+  // As many points on each part of the faces as its area asks for, in the order of the faces, with their normals.
+  Point_set sample(std::size_t number) const
+  {
+    if(triangles.empty())
+      throw std::runtime_error("has faces, but none that has an area");
+    Point_set points;
+    points.add_normal_map();
+    const double step = areas.back() / double(number);
+    if(!std::isfinite(areas.back()))
+      throw std::runtime_error("has faces whose area is not finite");
+    std::size_t t = 0;
+    for(std::size_t i = 0; i < number; ++i) {
+      const double place = (double(i) + random(3 * i)) * step;
+      while(t + 1 < triangles.size() && areas[t] <= place)
+        ++t;
+      add_point(triangles[t], random(3 * i + 1), random(3 * i + 2), points);
+    }
+    return points;
+  }
+
+private:
+  using Vector = std::array<double, 3>;
+  using Triangle = std::array<std::size_t, 3>;
+
+  // From 0 to below 1: the function splitmix64 of the number.
+  static double random(std::uint64_t number)
+  {
+    std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return double((z ^ z >> 31) >> 11) * 0x1p-53;
+  }
+
+  Vector edge(const Triangle& t, std::size_t i) const
+  {
+    const Vector &a = corners[t[0]], &b = corners[t[i]];
+    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  }
+
+  // Its length is twice the area.
+  Vector normal_of(const Triangle& t) const
+  {
+    const Vector a = edge(t, 1), b = edge(t, 2);
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      const double product = a[j] * b[i];
+      return std::fma(a[i], b[j], -product);
+    };
+    return {minor(1, 2), minor(2, 0), minor(0, 1)};
+  }
+
+  static double length(const Vector& v)
+  {
+    const double square = v[2] * v[2];
+    return std::sqrt(std::fma(v[0], v[0], std::fma(v[1], v[1], square)));
+  }
+
+  void add_point(const Triangle& t, double u, double v, Point_set& points) const
+  {
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const Vector a = edge(t, 1), b = edge(t, 2), normal = normal_of(t);
+    const double size = length(normal);
+    const auto coordinate = [&](std::size_t i) { return std::fma(u, a[i], std::fma(v, b[i], corners[t[0]][i])); };
+    const Point_set::Index i = *points.insert(Kernel::Point_3(coordinate(0), coordinate(1), coordinate(2)));
+    points.normal(i) = Kernel::Vector_3(normal[0] / size, normal[1] / size, normal[2] / size);
+  }
+
+  std::vector<Vector> corners;
+  std::vector<Triangle> triangles;
+  std::vector<double> areas; // twice the sum up to each triangle
+  std::size_t count = 0;     // of the faces
+};
+
+// --- What reads the formats.
+
+// A little-endian number of any type.
+template <class T>
+T number_at(const char* bytes)
+{
+  std::uint64_t bits = 0;
+  for(std::size_t i = 0; i < sizeof(T); ++i)
+    bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << 8 * i;
+  T value;
+  if constexpr(sizeof(T) == 8) {
+    std::memcpy(&value, &bits, 8);
+  } else if constexpr(sizeof(T) == 4) {
+    const std::uint32_t low = std::uint32_t(bits);
+    std::memcpy(&value, &low, 4);
+  } else {
+    value = T(bits);
+  }
+  return value;
+}
+
+// A little-endian number of a type that is known at run time: I, U or F, signed, unsigned or real.
+double number_of_type(const char* bytes, char type, std::size_t size);
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

@@ -3,26 +3,169 @@
 
 #include "input/table_head.h"
 
-#include "input/decimal_commas.h"
-#include "input/table_values.h"
-
-#include <algorithm>
-#include <cctype>
-#include <limits>
-#include <stdexcept>
-
 namespace program {
 
 namespace {
 
-std::vector<std::string_view> values_of(std::string_view row)
+// Of the rows that have values there: some scanners write NaN where nothing came back.
+template <class Is_right>
+bool all_values(const Sample& rows, std::size_t first, Is_right is_right)
 {
-  std::vector<std::string_view> values;
-  Table_values rest(row);
-  for(std::string_view value; rest.next(value);)
-    values.push_back(value);
-  return values;
+  std::size_t count = 0;
+  for(const std::vector<double>& row : rows) {
+    const double values[3] = {row[first], row[first + 1], row[first + 2]};
+    if(std::any_of(values, values + 3, [](double x) { return std::isnan(x); }))
+      continue;
+    if(!std::all_of(values, values + 3, is_right))
+      return false;
+    ++count;
+  }
+  return count > 0;
 }
+
+bool are_integer_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 65535 && x == std::floor(x); });
+}
+
+bool is_number(const Sample& rows, std::size_t column)
+{
+  return std::none_of(rows.begin(), rows.end(), [=](const auto& row) { return std::isnan(row[column]); });
+}
+
+// The columns of these names, or none if they do not name x, y and z. Each but for the first of a kind is passed over.
+template <class Column_of>
+std::vector<Column> columns_by(const std::vector<std::string>& names, Column_of column_of)
+{
+  std::vector<Column> columns;
+  for(const std::string& name : names) {
+    const Column c = column_of(name);
+    columns.push_back(has_column(columns, c) ? Column::none : c);
+  }
+  remove_incomplete(columns);
+  return has_coordinates(columns) ? columns : std::vector<Column>();
+}
+
+// Of names of maps, such as Easting, Northing and Elevation. Without a unit in parentheses.
+std::string map_name(const std::string& text)
+{
+  const std::string name = plain_name(text);
+  return name.substr(0, name.find_first_of("(["));
+}
+
+Column column_of_map_name(const std::string& text)
+{
+  const std::string name = map_name(text);
+  if(is_in(name, {"easting", "east", "e", "x"}))
+    return Column::x;
+  if(is_in(name, {"northing", "north", "n", "y"}))
+    return Column::y;
+  return is_in(name, {"elevation", "elev", "height", "h", "altitude", "alt", "z"}) ? Column::z : column_of_name(text);
+}
+
+Column column_of_geographic_name(const std::string& text)
+{
+  const std::string name = map_name(text);
+  if(is_in(name, {"lon", "long", "longitude"}))
+    return Column::x;
+  if(is_in(name, {"lat", "latitude"}))
+    return Column::y;
+  return is_in(name, {"height", "h", "altitude", "alt", "elevation"}) ? Column::z : column_of_name(text);
+}
+
+void place(std::vector<Column>& columns, std::size_t first, Column name)
+{
+  for(int i = 0; i < 3; ++i)
+    columns[first + std::size_t(i)] = Column(int(name) + i);
+}
+
+// Most of the normals in the columns from `first` on have length 1.
+bool are_normals(const Sample& rows, std::size_t first)
+{
+  std::size_t unit = 0, other = 0;
+  for(const std::vector<double>& row : rows) {
+    const double length =
+      std::sqrt(row[first] * row[first] + row[first + 1] * row[first + 1] + row[first + 2] * row[first + 2]);
+    const bool is_unit = std::fabs(length - 1) <= largest_error_of_length;
+    unit += is_unit ? 1 : 0;
+    other += !is_unit && length > 0 ? 1 : 0;
+  }
+  return unit > 9 * other;
+}
+
+// The words of a line of names.
+std::vector<std::string> names_of_header(std::string_view line)
+{
+  line.remove_prefix((std::min)(line.find_first_not_of(" \t#/"), line.size()));
+  const std::vector<std::string_view> names = values_of(line);
+  return {names.begin(), names.end()};
+}
+
+// Of a table whose first column does not count the rows.
+std::vector<Column> recognize_others(const Sample& rows, const std::string& extension)
+{
+  const std::size_t count = rows.empty() ? 0 : rows.front().size();
+  if(count < 3)
+    return {};
+  std::vector<Column> columns(count, Column::none);
+  place(columns, 0, Column::x);
+  std::size_t c = 3;
+  if(extension == ".pts" && (count == 4 || count == 7))
+    columns[c++] = Column::intensity;
+  const bool has_normals = extension == ".pwn" || extension == ".xyzn";
+  if((has_normals || extension == ".xyzrgb") && count >= 6) {
+    place(columns, c, has_normals ? Column::nx : Column::red);
+    c += 3;
+  }
+  while(c + 3 <= count) {
+    const bool is_normal = !has_column(columns, Column::nx) && are_normals(rows, c);
+    const bool is_color =
+      !is_normal && !has_column(columns, Column::red) && (are_integer_colors(rows, c) || are_real_colors(rows, c));
+    if(is_normal || is_color)
+      place(columns, c, is_normal ? Column::nx : Column::red);
+    c += is_normal || is_color ? 3 : 1;
+  }
+  // A single number that is left is the intensity.
+  const auto is_left = [](Column column) { return column == Column::none; };
+  const auto left = std::find_if(columns.begin(), columns.end(), is_left);
+  if(std::count_if(columns.begin(), columns.end(), is_left) == 1 && !has_column(columns, Column::intensity) &&
+     is_number(rows, std::size_t(left - columns.begin())))
+    *left = Column::intensity;
+  return columns;
+}
+
+// The first column has integers that rise by one from row to row, and three at least follow it. Not where the second one
+// has always the same value: then both may be the coordinates of a raster.
+bool counts_rows(const Sample& rows)
+{
+  constexpr std::size_t fewest_rows = 10, fewest_columns = 4;
+  if(rows.size() < fewest_rows || rows.front().size() < fewest_columns || std::floor(rows[0][0]) != rows[0][0])
+    return false;
+  bool is_second_constant = true;
+  for(std::size_t i = 1; i < rows.size(); ++i) {
+    if(rows[i][0] != rows[i - 1][0] + 1)
+      return false;
+    is_second_constant = is_second_constant && rows[i][1] == rows[0][1];
+  }
+  return !is_second_constant;
+}
+
+// The columns of a table without a line of names; one that counts the rows is passed over. In a .pts file the intensity
+// comes before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
+std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension)
+{
+  if(counts_rows(rows)) {
+    Sample others = rows;
+    for(std::vector<double>& row : others)
+      row.erase(row.begin());
+    std::vector<Column> columns = recognize_others(others, extension);
+    columns.insert(columns.begin(), Column::none);
+    return columns;
+  }
+  return recognize_others(rows, extension);
+}
+
+// --- What stands before the points
 
 std::size_t parse_count(const Text_row& row, std::string_view text)
 {
@@ -31,7 +174,7 @@ std::size_t parse_count(const Text_row& row, std::string_view text)
   if(end.ec != std::errc() || end.ptr != text.data() + text.size())
     fail_at(row, "is neither a point, the number of points nor a line of names (comments begin with # or //)");
   if(count < 0)
-    throw std::runtime_error("announces " + std::to_string(count) + " points");
+    throw_error("announces ", count, " points");
   return std::size_t(count);
 }
 
@@ -76,12 +219,12 @@ void read_head_line(const Text_row& row, Table_head& head)
     return;
   }
   const std::vector<std::string> names = names_of_header(row.text);
-  std::vector<Column> columns = columns_of_names(names);
+  std::vector<Column> columns = columns_by(names, column_of_name);
   if(columns.empty())
-    columns = map_columns_of_names(names);
+    columns = columns_by(names, column_of_map_name);
   const bool is_geographic = columns.empty();
   if(is_geographic)
-    columns = geographic_columns_of_names(names);
+    columns = columns_by(names, column_of_geographic_name);
   head.is_geographic = columns.empty() ? head.is_geographic : is_geographic;
   if(!columns.empty() && head.source != Source::option) {
     head.source = Source::header;
@@ -98,6 +241,11 @@ void read_head_line(const Text_row& row, Table_head& head)
 }
 
 } // namespace
+
+bool are_real_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
+}
 
 void fail_at(const Text_row& row, const std::string& reason)
 {
@@ -148,8 +296,7 @@ Table_columns columns_of(const Table_head& head, const Sample& sample, const std
   if(head.source == Source::option)
     return {head.columns};
   if(head.source == Source::sample && !tolerance.empty())
-    throw std::runtime_error("has no line of names, of which --tolerance-column takes '" + tolerance +
-                             "' (--columns names them)");
+    throw_error("has no line of names, of which --tolerance-column takes '", tolerance, "' (--columns names them)");
   if(head.source == Source::sample)
     return {recognize_columns(sample, extension), counts_rows(sample)};
   Table_columns found = {head.columns};
@@ -157,10 +304,11 @@ Table_columns columns_of(const Table_head& head, const Sample& sample, const std
     found.columns[find_name(head.names, tolerance, "column")] = Column::tolerance;
   remove_incomplete(found.columns);
   if(!has_coordinates(found.columns))
-    throw std::runtime_error("the column '" + tolerance + "' of --tolerance-column is a coordinate");
+    throw_error("the column '", tolerance, "' of --tolerance-column is a coordinate");
   found.counts_rows = !sample.empty() && sample.front().size() == head.names.size() + 1 && counts_rows(sample);
   if(found.counts_rows)
     found.columns.insert(found.columns.begin(), Column::none);
   return found;
 }
+
 } // namespace program

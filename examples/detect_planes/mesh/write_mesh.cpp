@@ -1,20 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "mesh/write_mesh.h"
-#include "file_names.h"
+#include "output/writers.h"
 #include "signals.h"
 
 #include "../Shape_regularization_tandem/convex_polygons.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
-
-#include <algorithm>
-#include <array>
-#include <iomanip>
-#include <ostream>
-#include <stdexcept>
-#include <string>
 
 namespace program {
 
@@ -47,12 +39,10 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t 
   Surface surface = CGAL::Tandem::closed_surface(shapes, points,
                                                  CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
                                                    .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2])));
-  if(is_interrupted())
-    throw Interrupted();
+  check_signals();
   if(surface.is_empty() &&
      surface.number_of_planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
-    throw std::runtime_error("--mesh: a closed surface needs four planes, and there are " +
-                             std::to_string(surface.number_of_planes));
+    throw_error("--mesh: a closed surface needs four planes, and there are ", surface.number_of_planes);
   return surface;
 }
 
@@ -120,8 +110,8 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
   if(usable == most && shapes.statistics().number_of_planes > most)
     usable = (std::max)(most, number_of_usable_planes(points, shapes));
   if(surface.is_empty())
-    throw std::runtime_error("--mesh: no volume was found that " + number_of(surface.number_of_planes, usable) +
-                             " enclose" + (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
+    throw_error("--mesh: no volume was found that ", number_of(surface.number_of_planes, usable), " enclose",
+                (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
   const std::string extension = lower_case_extension(o.mesh);
   out << std::setprecision(17);
   if(extension == ".off")

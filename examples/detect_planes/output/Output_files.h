@@ -4,22 +4,11 @@
 #ifndef DETECT_PLANES_OUTPUT_FILES_H
 #define DETECT_PLANES_OUTPUT_FILES_H
 
-#include "Options.h"
-#include "file_names.h"
-#include "signals.h"
 #include "input/read_cloud.h"
 #include "output/Output_file.h"
-#include "output/report.h"
 #include "output/writers.h"
-#include "mesh/write_mesh.h"
-#include "output/write_results.h"
-#include "output/write_vg.h"
 
 #include <deque>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace program {
 

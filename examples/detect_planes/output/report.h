@@ -1,32 +1,82 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run did, as JSON.
+// What a run did: as JSON, and as a table for people.
 
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
-#include "output/write_results.h"
 #include "messages.h"
-#include "tolerance/Tolerance_facts.h"
+#include "output/write_results.h"
+
+#include <CGAL/Tandem/Statistics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
 
 #ifdef __unix__
 #include <sys/resource.h>
 #endif
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <iomanip>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 namespace program {
+
+// --- Why points are in no shape, in words, and the option that would change it.
+
+struct Free_reason {
+  std::size_t points;
+  const char* name;   // they are ...
+  const char* advice; // what to change
+};
+
+// Those that points have, the most frequent first.
+inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
+{
+  std::vector<Free_reason> reasons = {
+    {f.without_normal, "without a normal",
+     "their neighbors are on a line, or --maximum-distance is larger than what is there: a larger --k-neighbors, or a "
+     "smaller distance"},
+    {f.misfit, "just beyond the tolerances of a shape",
+     "a larger --maximum-distance or --maximum-angle takes more of them"},
+    {f.without_neighbors, "alone",
+     "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
+    {f.in_small_regions, "in small regions", "a smaller --minimum-region-size takes more of them"},
+    {f.clutter, "in clutter",
+     "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
+    {f.unselected, "of shapes that were not selected", "the options of the selection leave them out"}};
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
+  while(!reasons.empty() && reasons.back().points == 0)
+    reasons.pop_back();
+  return reasons;
+}
+
+// The shares of all points, and what to change for the largest one.
+inline std::string free_text(const CGAL::Tandem::Statistics& s)
+{
+  std::ostringstream text;
+  text << std::setprecision(3);
+  const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
+  const std::vector<Free_reason> reasons = free_reasons(s.free_points);
+  if(reasons.empty())
+    return "none";
+  text << percent(s.free_points.total()) << " %: ";
+  for(const Free_reason& r : reasons)
+    text << (&r == reasons.data() ? "" : ", ") << percent(r.points) << " % " << r.name;
+  text << "; " << reasons[0].advice;
+  return text.str();
+}
+
+// What there is to say about the tolerances of a run.
+struct Tolerance_facts {
+  std::string source = "given"; // or "estimated", "auto-local", "column NAME" or "noise SUM"
+  bool is_of_each_point = false;
+  std::string note; // where one estimated tolerance is a compromise: why
+  // Of the points with finite coordinates and a positive tolerance; 0 if there are none.
+  double smallest = 0, mean = 0, largest = 0;
+};
+
+// --- What a run did, as JSON.
 
 struct Run {
   std::string input, short_input;                         // the names of all inputs, and of some
@@ -233,6 +283,82 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   json["uncertainty"] = uncertainties(shapes);
   write_json(out, json);
   out << '\n';
+}
+
+// --- What a run did, as a table for people.
+
+// The points that cannot be in shapes.
+inline void write_left_out(std::ostream& out, const CGAL::Tandem::Statistics& s, const Run& run)
+{
+  const std::pair<std::size_t, const char*> causes[] = {{not_finite_points(s, run), "not finite"},
+                                                        {run.zeros, "at 0 0 0"},
+                                                        {s.number_of_ignored_normals, "without a normal"},
+                                                        {s.number_of_ignored_tolerances, "without a tolerance"},
+                                                        {s.number_of_far_points, "too far away"}};
+  const char* before = "; ignored: ";
+  for(const auto& [count, cause] : causes) {
+    if(count > 0)
+      out << std::exchange(before, ", ") << count << ' ' << cause;
+  }
+}
+
+inline std::string summary(const Shapes& shapes, const Run& run)
+{
+  std::ostringstream out;
+  const CGAL::Tandem::Statistics& s = shapes.statistics();
+  const CGAL::Tandem::Parameters& p = shapes.parameters();
+  const auto row = [&out](const char* name) -> std::ostream& {
+    return out << "  " << std::left << std::setw(12) << name;
+  };
+  write_visible(out, run.short_input);
+  out << '\n' << std::setprecision(4);
+  row("points") << s.number_of_points << ", normals " << run.normals;
+  write_left_out(out, s, run);
+  out << '\n';
+  for(const auto& [word, text] : run.notes) {
+    write_visible(row(word.c_str()), text);
+    out << '\n';
+  }
+  row("parameters") << "maximum distance " << p.maximum_distance
+                    << (run.tolerance.source == "estimated" ? " (estimated)" : "") << ", angle " << p.maximum_angle;
+  if(run.planes_from.empty())
+    out << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
+        << p.minimum_region_size << " points";
+  out << '\n';
+  if(!run.tolerance.note.empty())
+    row("estimate") << run.tolerance.note << '\n';
+  if(run.tolerance.is_of_each_point) {
+    row("tolerances") << run.tolerance.smallest << " to " << run.tolerance.largest << ", by ";
+    write_visible(out, run.tolerance.source);
+    out << '\n';
+  }
+  if(!run.planes_from.empty()) {
+    write_visible(row("known") << "planes of ", run.planes_from);
+    out << ", not detected: points are within the tolerances, but shapes need not be connected\n";
+  }
+  if(!run.selection.empty()) {
+    row("selection") << s.number_of_shapes << " of " << run.detected_shapes << " shapes, with "
+                     << s.number_of_assigned_points << " of " << run.detected_points << " points (";
+    write_visible(out, run.selection);
+    out << ")\n";
+  }
+  row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
+                << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
+  row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
+                 << s.complexity << '\n';
+  if(run.planes_from.empty())
+    row("free") << free_text(s) << '\n';
+  row("seconds") << s.times.total + run.normal_seconds << " (normals " << s.times.normals + run.normal_seconds
+                 << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
+                 << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "
+                 << run.read_seconds << '\n';
+  row("execution") << s.backend << ", " << (run.ranks == 1 ? "" : std::to_string(run.ranks) + " processes of ")
+                   << run.threads << (run.threads == 1 ? " thread, " : " threads, ") << s.number_of_rounds
+                   << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
+  if(!run.mesh.empty())
+    row("mesh") << run.mesh << '\n';
+  row("hash") << hash_text(run) << '\n';
+  return out.str();
 }
 
 } // namespace program

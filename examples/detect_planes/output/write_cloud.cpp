@@ -3,9 +3,6 @@
 
 #include "output/writers.h"
 
-#include "Built_with.h"
-#include "output/Output_points.h"
-
 namespace program {
 
 namespace {

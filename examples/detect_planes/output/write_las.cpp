@@ -1,11 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/Output_points.h"
+#include "output/writers.h"
 
 #include "input/las_header.h"
-
-#include <limits>
 
 namespace program {
 

@@ -1,15 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/Output_points.h"
+#include "output/writers.h"
 
-#include "output/Partial_file.h"
-#include "output/Write_error.h"
+#include "output/Output_file.h"
 
-#include <cerrno>
-#include <fstream>
 #include <laszip_api.h>
-#include <stdexcept>
 
 namespace program {
 
@@ -33,8 +29,7 @@ public:
     if(has_failed == 0)
       return;
     laszip_get_error(pointer, &error);
-    throw std::runtime_error("LASzip cannot compress the output" +
-                             (error != nullptr ? " (" + std::string(error) + ")" : ""));
+    throw_error("LASzip cannot compress the output", (error != nullptr ? " (" + std::string(error) + ")" : ""));
   }
 
   laszip_POINTER pointer = nullptr;
@@ -75,11 +70,11 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
     File_buffer buffer;
     errno = 0;
     if(!buffer.open(las.name(), std::ios::out | std::ios::binary))
-      throw std::runtime_error(las.name().string() + ": cannot be written" + reason_of(errno));
+      throw_error(las.name().string(), ": cannot be written", reason_of(errno));
     std::ostream file(&buffer);
     write_las(file, cloud, frame_of_input);
     if(!file.flush())
-      throw std::runtime_error(las.name().string() + ": cannot be written completely" + reason_of(buffer.error()));
+      throw_error(las.name().string(), ": cannot be written completely", reason_of(buffer.error()));
   }
   compress(las.name().string(), laz.name().string());
   std::ifstream compressed(laz.name(), std::ios::binary);

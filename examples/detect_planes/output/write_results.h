@@ -12,15 +12,10 @@
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <iomanip>
 #include <ostream>
-#include <string>
 
 namespace program {
 

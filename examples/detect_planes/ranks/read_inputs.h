@@ -1,32 +1,21 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each rank reads some of the inputs; what there is to say about them is said once.
+// Points exactly at 0 0 0, which invalid pixels of depth cameras become.
 
 #ifndef DETECT_PLANES_READ_INPUTS_H
 #define DETECT_PLANES_READ_INPUTS_H
 
-#include "Options.h"
-#include "messages.h"
+#include "check_options.h"
 #include "input/read_cloud.h"
-#include "option_values.h"
 #include "output/report.h"
-#include "progress.h"
 #include "ranks/Ranks.h"
-#include "ranks/processes.h"
 
 #include <CGAL/Real_timer.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <system_error>
-#include <vector>
-
 namespace program {
+
+// --- Each rank reads some of the inputs; what there is to say about them is said once.
 
 // The rank that reads each of the inputs.
 inline std::vector<int> rank_of_inputs(const Options& o, const Ranks& ranks)
@@ -103,6 +92,49 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
     keep_attributes(ranks.common_bits(cloud.of_all), cloud.points);
   });
 }
+
+// ---
+
+// While they are hidden, these points have no finite coordinates, so that nothing depends on them.
+class Hidden_zeros {
+public:
+  Hidden_zeros(bool are_hidden, Point_set& cloud, Ranks& ranks) : points(cloud)
+  {
+    if(!are_hidden)
+      return;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::size_t others = 0;
+    for(Point_set::Index i : points)
+      if(is_zero(points.point(i)))
+        hidden.push_back(i);
+      else
+        ++others;
+    for(Point_set::Index i : hidden)
+      points.point(i) = Kernel::Point_3(nan, nan, nan);
+    number_of_all_ = ranks.sums({(long long)(hidden.size())})[0];
+    const bool is_any = ranks.largest(double(others)) > 0;
+    ranks.together([&] {
+      if(!is_any)
+        throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
+    });
+  }
+
+  // Of all ranks.
+  std::size_t number_of_all() const { return std::size_t(number_of_all_); }
+
+  // The coordinates are those of the input again.
+  void show()
+  {
+    for(Point_set::Index i : hidden)
+      points.point(i) = Kernel::Point_3(0, 0, 0);
+    hidden.clear();
+  }
+
+private:
+  Point_set& points;
+  std::vector<Point_set::Index> hidden;
+  long long number_of_all_ = 0;
+};
 
 } // namespace program
 

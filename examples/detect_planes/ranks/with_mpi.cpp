@@ -1,11 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ranks/Ranks.h"
-
 #include "detection.h"
-#include "ranks/processes.h"
-#include "signals.h"
 
 #include <CGAL/Shape_regularization_tandem/mpi.h>
 
@@ -17,11 +13,6 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
-
-#include <algorithm>
-#include <functional>
-#include <string>
-#include <thread>
 
 namespace boost {
 namespace serialization {
@@ -46,9 +37,8 @@ public:
   Mpi_ranks(int& argc, char**& argv, const Launch& launch) : environment(argc, argv, mpi::threading::funneled, false)
   {
     if(world.size() != launch.size)
-      throw std::runtime_error(std::to_string(launch.size) + " processes were started (" + launch.variable +
-                               "), of which MPI knows " + std::to_string(world.size()) +
-                               "; take the mpirun of the MPI that this program was built with");
+      throw_error(launch.size, " processes were started (", launch.variable, "), of which MPI knows ", world.size(),
+                  "; take the mpirun of the MPI that this program was built with");
     first_signal_removes = 1;
   }
 
@@ -91,7 +81,7 @@ public:
     mpi::broadcast(world, first, 0);
     together([&] {
       if(own != first)
-        throw Usage_error(std::string("the processes have different ") + what + ", but work on one cloud");
+        throw_error<Usage_error>("the processes have different ", what, ", but work on one cloud");
     });
   }
 

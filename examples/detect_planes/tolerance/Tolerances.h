@@ -6,24 +6,11 @@
 #ifndef DETECT_PLANES_TOLERANCES_H
 #define DETECT_PLANES_TOLERANCES_H
 
-#include "Options.h"
 #include "input/read_cloud.h"
 #include "ranks/Ranks.h"
-#include "tolerance/Tolerance_facts.h"
+#include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 
@@ -49,9 +36,9 @@ inline Kernel::Point_3 sensor_of(const Options& o, const Input_part& part)
 {
   const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
   if(!o.viewpoint && (!of_file || of_file->is_default))
-    throw std::runtime_error(
-      o.inputs[part.input] +
-      (of_file ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none" : ": has no place of the sensor") +
+    throw_error(
+      o.inputs[part.input],
+      (of_file ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none" : ": has no place of the sensor"),
       ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
   const std::array<double, 3>& place = o.viewpoint ? *o.viewpoint : of_file->place;
   return Kernel::Point_3(place[0], place[1], place[2]);

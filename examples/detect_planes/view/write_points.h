@@ -6,17 +6,121 @@
 #ifndef DETECT_PLANES_WRITE_POINTS_H
 #define DETECT_PLANES_WRITE_POINTS_H
 
-#include "view/Base64_lines.h"
-#include "view/Thinned_points.h"
+#include "output/write_results.h"
 
 #include <CGAL/Bbox_3.h>
 
-#include <cmath>
-#include <ostream>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
 #include <sstream>
-#include <string>
+#include <vector>
 
 namespace program {
+
+inline std::string base64(std::string bytes)
+{
+  namespace it = boost::archive::iterators;
+  using Digits = it::base64_from_binary<it::transform_width<std::string::const_iterator, 6, 8>>;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.append(padding, '\0');
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  return text.replace(text.size() - padding, padding, padding, '=');
+}
+
+// Numbers as their bytes, least significant first, as lines of Base64: an element of a page that is no markup.
+class Base64_lines {
+public:
+  Base64_lines(std::ostream& out, const char* id) : out(out), binary(bytes)
+  {
+    out << "<script type=\"text/plain\" id=\"" << id << "\">\n";
+  }
+
+  ~Base64_lines()
+  {
+    flush();
+    out << "</script>\n";
+  }
+
+  Base64_lines(const Base64_lines&) = delete;
+  Base64_lines& operator=(const Base64_lines&) = delete;
+
+  template <class T>
+  void write(T value)
+  {
+    binary.write(value);
+    size += sizeof(T);
+    if(size >= line_size)
+      flush();
+  }
+
+private:
+  static constexpr std::size_t line_size = 30000;
+
+  void flush()
+  {
+    if(size > 0)
+      out << base64(bytes.str()) << '\n';
+    bytes.str("");
+    size = 0;
+  }
+
+  std::ostream& out;
+  std::ostringstream bytes;
+  Binary_writer binary;
+  std::size_t size = 0;
+};
+
+// The points that are shown, shape by shape, then those without a shape. Of every `stride` points in this order one is
+// taken, by a hash: a fixed one would follow the lines of a scan.
+class Thinned_points {
+public:
+  Thinned_points(const Point_set& points, const Shapes& shapes, std::size_t largest_size)
+    : stride(stride_of(points, largest_size)), shown(shapes.number_of_shapes() + 1)
+  {
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+      for(std::uint32_t i : shapes.points(s))
+        add(i, s);
+    std::uint32_t position = 0;
+    for(Point_set::Index i : points) {
+      if(shapes.shape_index(position) < 0 && is_finite(points.point(i)))
+        add(position, shapes.number_of_shapes());
+      ++position;
+    }
+  }
+
+  std::size_t size() const { return positions.size(); }
+
+  const std::size_t stride;
+  std::vector<std::uint32_t> positions; // in the cloud
+  std::vector<std::size_t> shown;       // points of each shape; at the end, of none
+
+private:
+  static std::size_t stride_of(const Point_set& points, std::size_t largest_size)
+  {
+    return (std::max)(std::size_t(1), (points.size() + largest_size - 1) / largest_size);
+  }
+
+  static std::uint64_t hash(std::uint64_t x)
+  {
+    x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdu;
+    x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53u;
+    return x ^ (x >> 33);
+  }
+
+  void add(std::uint32_t position, std::size_t shape)
+  {
+    const std::size_t row = count / stride;
+    if(count++ % stride != hash(row + 1) % stride)
+      return;
+    positions.push_back(position);
+    ++shown[shape];
+  }
+
+  std::size_t count = 0;
+};
+
+// ---
 
 inline Kernel::Point_3 point_at(const Point_set& points, std::size_t position)
 {

@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/writers.h"
-#include "view/Thinned_points.h"
-#include "view/write_layers.h"
 #include "view/write_points.h"
 
-#include <CGAL/Bbox_3.h>
-#include <boost/algorithm/string/replace.hpp>
+#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include <boost/algorithm/string/replace.hpp>
 
 namespace program {
 
@@ -23,6 +16,74 @@ extern const char* const page_before_data[];
 extern const char* const page_after_data[];
 
 namespace {
+
+// --- Outlines and triangles of the shapes, and colors of the input
+
+using Polygon = CGAL::Tandem::Indexed_polygon;
+
+void write_loop(Base64_lines& lines, const Polygon::Loop& loop)
+{
+  lines.write(std::uint32_t(loop.size()));
+  for(std::uint32_t corner : loop)
+    lines.write(corner);
+}
+
+void write_loops(std::ostream& out, const Shape_areas& areas)
+{
+  Base64_lines lines(out, "loops");
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    std::size_t size = 0;
+    for(const Polygon& polygon : areas.polygons(s))
+      size += 1 + polygon.holes.size();
+    lines.write(std::uint32_t(size));
+    for(const Polygon& polygon : areas.polygons(s)) {
+      write_loop(lines, polygon.outer);
+      for(const Polygon::Loop& hole : polygon.holes)
+        write_loop(lines, hole);
+    }
+  }
+}
+
+void write_triangles(std::ostream& out, const Shape_areas& areas)
+{
+  Base64_lines lines(out, "triangles");
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    const auto triangles = areas.triangles(s);
+    lines.write(std::uint32_t(triangles.size()));
+    for(const auto& triangle : triangles)
+      for(std::uint32_t corner : triangle)
+        lines.write(corner);
+  }
+}
+
+// Three elements, which layers.js reads: the corners, three floats each, relative to the center of the page; then for
+// each shape the number of its loops, and for each loop its number of corners and these; then for each shape the number
+// of its triangles, and their corners. Corners are positions in the first element, of 32 bits.
+void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Point_3& center)
+{
+  {
+    Base64_lines lines(out, "corners");
+    for(const Kernel::Point_3& p : areas.points())
+      for(int k = 0; k < 3; ++k)
+        lines.write(float(p[k] - center[k]));
+  }
+  write_loops(out, areas);
+  write_triangles(out, areas);
+}
+
+// Three bytes for each of the positions, if the input has colors; else the element is empty.
+void write_input_colors(std::ostream& out, const Point_set& points, const std::vector<std::uint32_t>& positions)
+{
+  Base64_lines lines(out, "input-colors");
+  const auto colors = points.property_map<Input_color>(color_name);
+  if(!colors.second)
+    return;
+  for(std::uint32_t position : positions)
+    for(std::uint16_t channel : colors.first[*(points.begin() + std::ptrdiff_t(position))])
+      lines.write(std::uint8_t(channel >> 8));
+}
+
+// --- The scene and its points
 
 constexpr std::size_t largest_number_of_points = 3000000; // that a browser draws well
 
@@ -78,9 +139,8 @@ std::vector<int> outward_sides(const Shapes& shapes, const Run& run)
 }
 
 // But for the shapes.
-Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run, const Thinned_points& thinned)
+Json json_of_scene(const Shapes& shapes, const Run& run, const Thinned_points& thinned, const CGAL::Bbox_3& box)
 {
-  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   return {{"name", utf8(std::filesystem::path(run.input).filename().string())},
@@ -102,9 +162,8 @@ Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
 // from the inside to the outside, with the blocks of each reach apart. Gives the positions as they were written.
 std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& points, const Shapes& shapes,
-                                        const Thinned_points& thinned)
+                                        const Thinned_points& thinned, const CGAL::Bbox_3& box)
 {
-  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const Point_block_writer writer(points, shapes, center);
   std::vector<std::uint32_t> positions = thinned.positions;
@@ -129,10 +188,11 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   const Point_set& points = described.points;
   const Shapes& shapes = described.shapes;
   const Thinned_points thinned(points, shapes, largest_number_of_points);
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
-  Json scene = json_of_scene(points, shapes, run, thinned);
-  const Kernel::Point_3 center = center_of(box_of_shapes(points, shapes));
+  Json scene = json_of_scene(shapes, run, thinned, box);
+  const Kernel::Point_3 center = center_of(box);
   const Json& table = described.table();
   scene["shapes"] = json_of_shapes(shapes, table, center);
   for(const auto& column : table.items())
@@ -141,7 +201,7 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned);
+  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned, box);
   out << "</script>\n";
   write_areas(out, described.areas(), center);
   write_input_colors(out, points, positions);

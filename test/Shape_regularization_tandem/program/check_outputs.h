@@ -11,7 +11,6 @@
 #include "program/Polygon_checker.h"
 
 #include "output/writers.h"
-#include "output/write_vg.h"
 
 #include <map>
 #include <sstream>

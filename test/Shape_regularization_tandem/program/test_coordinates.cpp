@@ -6,9 +6,9 @@
 
 #include "testing/checks.h"
 
-#include "cloud_warnings.h"
-#include "input/find_name.h"
-#include "tolerance/Noise_model.h"
+#include "warnings.h"
+#include "input/input_settings.h"
+#include "Options.h"
 
 #include <cmath>
 #include <iomanip>

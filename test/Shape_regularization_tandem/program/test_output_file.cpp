@@ -5,7 +5,6 @@
 
 #include "testing/checks.h"
 
-#include "output/Made_folders.h"
 #include "output/Output_file.h"
 #include "messages.h"
 

@@ -6,7 +6,7 @@
 
 #include "testing/checks.h"
 
-#include "result_warnings.h"
+#include "warnings.h"
 
 #include <cstddef>
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include "testing/checks.h"
 
-#include "ranks/processes.h"
+#include "ranks/Ranks.h"
 
 #include <algorithm>
 #include <cmath>

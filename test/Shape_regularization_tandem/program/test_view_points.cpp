@@ -5,7 +5,6 @@
 
 #include "testing/checks.h"
 
-#include "view/Thinned_points.h"
 #include "view/write_points.h"
 
 #include <boost/archive/iterators/binary_from_base64.hpp>

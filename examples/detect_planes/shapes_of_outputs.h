@@ -1,26 +1,55 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
-// from which their points were seen.
+// The shapes that the outputs have: those that fit the options of the selection, with their outward sides.
 
-#ifndef DETECT_PLANES_OUTWARD_SIDES_H
-#define DETECT_PLANES_OUTWARD_SIDES_H
+#ifndef DETECT_PLANES_SHAPES_OF_OUTPUTS_H
+#define DETECT_PLANES_SHAPES_OF_OUTPUTS_H
 
-#include "Options.h"
 #include "input/read_cloud.h"
-#include "output/report.h"
-#include "output/write_results.h"
+#include "output/Described_shapes.h"
 #include "ranks/Ranks.h"
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
 namespace program {
+
+// --- The selection: all shapes, or one for each plane, and of those the ones that fit its options.
+
+// The options that say which shapes the outputs have.
+inline std::string selection_of(const Options& o)
+{
+  std::ostringstream text;
+  const auto add = [&text](const char* option, const auto& value) {
+    if(value)
+      write_shortest(text << option << ' ', *value, ' ');
+  };
+  text << (o.is_by_plane ? "--by-plane " : "");
+  add("--largest", o.largest);
+  add("--minimum-area", o.minimum_area);
+  add("--minimum-extent", o.minimum_extent);
+  if(o.near_direction)
+    text << "--near-direction " << o.near_direction->text << ' ';
+  return text.str().substr(0, (std::max)(text.str().size(), std::size_t(1)) - 1);
+}
+
+// Notes in the run how many there were; a warning where none is left.
+inline void select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
+                   std::vector<std::string>& warnings)
+{
+  run.selection = selection_of(o);
+  if(run.selection.empty())
+    return;
+  run.detected_shapes = shapes.number_of_shapes();
+  run.detected_points = shapes.statistics().number_of_assigned_points;
+  if(o.is_by_plane)
+    shapes = joined_shapes(points, shapes);
+  shapes = selected_shapes(shapes, points, o);
+  if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
+    warnings.push_back(
+      sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have none"));
+}
+
+// --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
+// from which their points were seen.
 
 // All ranks call the same members in the same order.
 class Outward_sides {
@@ -141,4 +170,4 @@ private:
 
 } // namespace program
 
-#endif // DETECT_PLANES_OUTWARD_SIDES_H
+#endif // DETECT_PLANES_SHAPES_OF_OUTPUTS_H

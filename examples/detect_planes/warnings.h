@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is wrong with a cloud or its result, as far as the figures tell: a sentence each, with what to do.
+
+#ifndef DETECT_PLANES_WARNINGS_H
+#define DETECT_PLANES_WARNINGS_H
+
+#include "tolerance/Tolerances.h"
+
+#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
+
+#include <new>
+
+namespace program {
+
+// --- The steps that coordinates come in, where digits of them were lost.
+
+// Points that are looked at for steps that are no powers of two.
+constexpr std::size_t sampled_for_steps = std::size_t(1) << 16;
+// Fewer different coordinates may be those of a few planes.
+constexpr std::size_t least_values = 6;
+// Cells as wide as a step have as many points where those were rounded. On a raster they have one.
+constexpr std::size_t least_points_in_cell = 4;
+
+struct Coordinate_steps {
+  std::array<double, 3> of_axis = {0, 0, 0}; // 0: finer than asked for, or none
+  bool are_floats = false;                   // all that are found are those of floats
+};
+
+inline bool is_measured(const Kernel::Point_3& p) { return is_finite(p) && !is_zero(p); }
+
+// The largest power of two of which x is a multiple; x is not 0.
+inline double unit_of(double x)
+{
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent);
+  while(mantissa != std::floor(mantissa)) {
+    mantissa *= 2;
+    --exponent;
+  }
+  return std::ldexp(1., exponent);
+}
+
+// The step of floats, where all coordinates are some and have no finer step than the largest of them has; 0 if that
+// is not above `least`. Integers and rasters have larger ones.
+inline double step_of_floats(const Point_set& points, int axis, double least, const Ranks& ranks)
+{
+  double step = std::numeric_limits<double>::infinity(), largest = 0;
+  std::optional<double> first;
+  for(auto i = points.begin(); i != points.end() && step > 0; ++i) {
+    if(!is_measured(points.point(*i)))
+      continue;
+    const double x = points.point(*i)[axis];
+    first = first.value_or(x);
+    if(x != *first)
+      step = (std::min)(step, unit_of(x - *first));
+    if(!fits_float(x) || step <= least)
+      step = 0;
+    largest = (std::max)(largest, std::fabs(x));
+  }
+  step = -ranks.largest(-step);
+  largest = ranks.largest(largest);
+  const double unit = largest > 0 ? std::ldexp(1., std::ilogb(largest) - 23) : 0;
+  return step > least && step <= unit ? step : 0;
+}
+
+// The common step of sorted, different coordinates, 0 if there is none above `least`.
+inline double common_step(const std::vector<double>& values, double least)
+{
+  constexpr double largest_error = .01; // of numbers that are written with decimal digits
+  double step = std::numeric_limits<double>::infinity();
+  for(std::size_t i = 1; i < values.size(); ++i)
+    step = (std::min)(step, values[i] - values[i - 1]);
+  if(values.size() < least_values || step <= least)
+    return 0;
+  for(double x : values)
+    if(std::fabs((x - values[0]) / step - std::round((x - values[0]) / step)) > largest_error)
+      return 0;
+  return step;
+}
+
+template <class T>
+std::size_t remove_copies(std::vector<T>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values.size();
+}
+
+// How many different points a cell of that width has.
+inline std::size_t points_in_cell(const std::array<std::vector<double>, 3>& values, double width)
+{
+  std::vector<std::array<double, 3>> points, cells;
+  for(std::size_t i = 0; i < values[0].size(); ++i) {
+    points.push_back({values[0][i], values[1][i], values[2][i]});
+    cells.push_back(points.back());
+    for(double& x : cells.back())
+      x = std::floor(x / width);
+  }
+  return points.empty() ? 0 : remove_copies(points) / remove_copies(cells);
+}
+
+// Steps above `least`: those of floats, and others where points lie closer to each other than that.
+inline Coordinate_steps find_steps(const Point_set& points, double least, const Ranks& ranks)
+{
+  Coordinate_steps steps;
+  for(int c = 0; c < 3; ++c)
+    steps.of_axis[std::size_t(c)] = step_of_floats(points, c, least, ranks);
+  steps.are_floats = steps.of_axis != std::array<double, 3>{0, 0, 0};
+  if(steps.are_floats)
+    return steps;
+  std::array<std::vector<double>, 3> values;
+  for(auto i = points.begin(); i != points.end() && values[0].size() < sampled_for_steps; ++i)
+    for(int c = 0; c < 3 && is_measured(points.point(*i)); ++c)
+      values[std::size_t(c)].push_back(points.point(*i)[c]);
+  for(std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> sorted = values[c];
+    remove_copies(sorted);
+    const double step = common_step(sorted, least);
+    const bool is_lost = step > 0 && points_in_cell(values, step) >= least_points_in_cell;
+    steps.of_axis[c] = ranks.largest(is_lost ? step : 0);
+  }
+  return steps;
+}
+
+// --- What is wrong with the coordinates of a cloud, as far as they tell: a sentence each, with what to do.
+
+// More points than few_zeros at 0 0 0 where nothing else is near, or than many_zeros there anyway, are no measurements.
+constexpr long long few_zeros = 3, many_zeros = 100;
+// What is near 0 0 0, as a share of the extent.
+constexpr double near_zero = .01;
+// A degree has 111 km: heights are larger, compared with an extent in degrees, wherever the ground rises by 1 in 1000.
+constexpr double smallest_height_in_degrees = 100;
+// Steps that are a larger share of the tolerance of points cut surfaces into strips.
+constexpr double largest_step_in_tolerance = .25;
+
+// The box of the points that are finite and not at 0 0 0, and the number of those at 0 0 0; of all ranks.
+struct Cloud_box {
+  std::array<double, 3> low, high; // infinite, with low > high, where there are no points
+  long long zeros = 0;
+
+  double side(std::size_t c) const { return high[c] - low[c]; }
+  double extent() const { return (std::max)({side(0), side(1), side(2)}); }
+};
+
+inline Cloud_box box_of(const Point_set& points, const Ranks& ranks)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Cloud_box box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for(Point_set::Index i : points) {
+    const Kernel::Point_3& p = points.point(i);
+    if(is_zero(p))
+      ++box.zeros;
+    for(int c = 0; c < 3 && is_finite(p) && !is_zero(p); ++c) {
+      box.low[std::size_t(c)] = (std::min)(box.low[std::size_t(c)], p[c]);
+      box.high[std::size_t(c)] = (std::max)(box.high[std::size_t(c)], p[c]);
+    }
+  }
+  for(std::size_t c = 0; c < 3; ++c) {
+    box.low[c] = -ranks.largest(-box.low[c]);
+    box.high[c] = ranks.largest(box.high[c]);
+  }
+  box.zeros = ranks.sums({box.zeros})[0];
+  return box;
+}
+
+inline bool are_zeros_strange(const Cloud_box& box)
+{
+  const double margin = near_zero * box.extent();
+  bool is_outside = false;
+  for(std::size_t c = 0; c < 3; ++c)
+    is_outside = is_outside || box.low[c] > margin || box.high[c] < -margin;
+  return box.zeros > (is_outside ? few_zeros : many_zeros);
+}
+
+inline std::string advice_on_zeros(const Cloud_box& box)
+{
+  return sentence(box.zeros, " points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros leaves them out");
+}
+
+inline bool look_like_degrees(const Cloud_box& box)
+{
+  const bool are_in_range = box.low[0] >= -180 && box.high[0] <= 180 && box.low[1] >= -90 && box.high[1] <= 90;
+  const double side = (std::max)(box.side(0), box.side(1));
+  return are_in_range && box.side(0) > 0 && box.side(1) > 0 && side < 1 &&
+         box.side(2) > smallest_height_in_degrees * side;
+}
+
+inline std::string warning_of_degrees(const Cloud_box& box)
+{
+  return sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ", box.side(0),
+                  ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees);
+}
+
+inline std::string warning_of_steps(const Point_set& points, double tolerance, const Ranks& ranks)
+{
+  const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, ranks);
+  std::string axes;
+  for(std::size_t c = 0; c < 3; ++c)
+    if(steps.of_axis[c] > 0)
+      axes += sentence(axes.empty() ? "" : ", ", "xyz"[c], " in steps of ", steps.of_axis[c]);
+  if(axes.empty())
+    return {};
+  return sentence("the coordinates are rounded, ", axes, ", while the tolerance of points is ", tolerance,
+                  steps.are_floats
+                    ? ": write doubles, or subtract an offset before they become floats, which have 24 bits"
+                    : ": write more digits");
+}
+
+// tolerance: the mean of those of points.
+inline std::vector<std::string> cloud_warnings(const Point_set& points, const Cloud_box& box, double tolerance,
+                                               const Ranks& ranks)
+{
+  std::vector<std::string> warnings;
+  if(are_zeros_strange(box))
+    warnings.push_back(advice_on_zeros(box));
+  if(look_like_degrees(box))
+    warnings.push_back(warning_of_degrees(box));
+  const std::string steps = tolerance > 0 ? warning_of_steps(points, tolerance, ranks) : "";
+  if(!steps.empty())
+    warnings.push_back(steps);
+  return warnings;
+}
+
+// --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
+
+constexpr double poor_coverage = .2;
+constexpr double largest_share_of_extent = .1; // of the maximum distance
+constexpr double smallest_share_of_noise = .1;
+// Points that are thicker than the maximum distance fill it, so that their mean distance is half of it.
+constexpr double full_share = .4;
+
+// Of the points that could be in shapes. Pixels without a measurement could not. These are all at one place, so they are
+// valid, or all are ignored for one reason, as far points are, and no other has as many points.
+inline double share_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box& box)
+{
+  const auto zeros = std::size_t(box.zeros);
+  const bool are_valid =
+    zeros > (std::max)({s.number_of_ignored_normals, s.number_of_ignored_tolerances, s.number_of_far_points});
+  const std::size_t none = s.number_of_ignored_points() + (are_zeros_strange(box) && are_valid ? zeros : 0);
+  return s.number_of_points > none ? double(s.number_of_assigned_points) / double(s.number_of_points - none) : 1;
+}
+
+// measure(): the noise of the own points. The smallest of the ranks, infinite where there is no memory to measure it, as
+// the shapes are worth more, and where all points are one.
+template <class Measure>
+double smallest_noise(const Measure& measure, const Ranks& ranks)
+{
+  double own = 0;
+  try {
+    own = measure();
+  } catch(const std::bad_alloc&) {
+  }
+  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
+}
+
+// Infinite where planes explain the points, which need not be measured then.
+inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
+{
+  const CGAL::Tandem::Statistics& s = shapes.statistics();
+  const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
+                       s.mean_distance < full_share * shapes.parameters().maximum_distance;
+  return smallest_noise([&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); }, ranks);
+}
+
+inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
+{
+  const std::size_t points = s.number_of_points - s.number_of_ignored_points();
+  if(points == 0 && s.number_of_ignored_tolerances > 0)
+    return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,
+                    " points has a positive tolerance (--tolerance-column, --noise)");
+  if(points < p.minimum_region_size)
+    return sentence("no shape was found: the number of points is ", points, ", and a shape has at least ",
+                    p.minimum_region_size, " (--minimum-region-size)");
+  return sentence("no shape was found: no ", p.minimum_region_size,
+                  " connected points (--minimum-region-size), other than on a line or in one place, are within ",
+                  p.maximum_distance, " of a plane (--maximum-distance) and ", p.maximum_angle,
+                  " degrees (--maximum-angle)");
+}
+
+// There are free points. Shares of all points, as those of the summary are.
+inline std::string why_poor(const CGAL::Tandem::Statistics& s)
+{
+  const Free_reason reason = free_reasons(s.free_points).at(0);
+  const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
+  return sentence("only ", percent(s.number_of_assigned_points), " % of the points are in shapes, and ",
+                  percent(reason.points), " % are ", reason.name, ": ", reason.advice);
+}
+
+// Of the whole run, on all ranks.
+inline std::vector<std::string> result_warnings(const Point_set& points, const Shapes& shapes, const Cloud_box& box,
+                                                bool is_distance_given, const Ranks& ranks)
+{
+  const CGAL::Tandem::Statistics& s = shapes.statistics();
+  const CGAL::Tandem::Parameters& p = shapes.parameters();
+  const double extent = box.extent(), share = share_in_shapes(s, box);
+  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0; // estimates cover the noise
+  std::vector<std::string> warnings;
+  if(s.number_of_shapes == 0)
+    warnings.push_back(why_empty(s, p));
+  else if(share < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
+    warnings.push_back(why_poor(s));
+  if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
+    warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
+                                " is more than a tenth of the extent of the points, ", extent,
+                                ": a smaller --maximum-distance keeps planes apart"));
+  if(p.maximum_distance < smallest_share_of_noise * noise && std::isfinite(noise))
+    warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
+                                " is less than a tenth of the noise of the points, ", noise,
+                                ": --maximum-distance should be two to three times the noise"));
+  if(!s.angle_note.empty())
+    warnings.push_back(with_options(s.angle_note));
+  return warnings;
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_WARNINGS_H
