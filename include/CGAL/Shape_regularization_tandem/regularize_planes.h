@@ -93,7 +93,7 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
-// One compile-time error where a map does not fit, as those of internal/range_checks.h.
+// One compile-time error where a map does not fit, as those of internal/range_maps.h.
 template <class Kernel, class Plane_iterator, class NP>
 struct Planes_check {
   using Item = typename std::iterator_traits<Plane_iterator>::reference;

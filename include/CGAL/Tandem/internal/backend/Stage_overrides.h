@@ -29,7 +29,7 @@ struct No_stage_overrides {
   static constexpr bool finds_neighbors = false;
 
   // void group_points(Backend&, Buffer<std::int32_t>&& shape_of, std::size_t shapes, Engine_result& result)
-  // Fills the shape of each point and the points of each shape. Generic form: finish/group_points.h. It needs host
+  // Fills the shape of each point and the points of each shape. Generic form: result/group_points.h. It needs host
   // memory, so a device has to replace it.
   static constexpr bool groups_points = false;
 };

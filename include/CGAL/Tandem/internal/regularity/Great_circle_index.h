@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Finds directions by a region of the sphere, such as those nearly orthogonal to an axis, along a great circle. Each
-// face of the cube has a quadtree: see Great_circle.h. A line meets few of its cells, about the square root of their
+// face of the cube has a quadtree: see Great_circle. A line meets few of its cells, about the square root of their
 // number. The index only leaves out what is impossible. Callers test what they get, so rounding cannot change a result.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_GREAT_CIRCLE_INDEX_H

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what their points
-// lose (section 4 of the paper). Directions are fixed first (Parallel_groups.h, Frames.h), then offsets
-// (Coplanar_groups.h). Input are moments, so no point is read; the result is Relations. Neither labels nor shapes change
+// lose (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
+// (Coplanar_groups). Input are moments, so no point is read; the result is Relations. Neither labels nor shapes change
 // here; rounds/regularize_shapes.h applies the result.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H

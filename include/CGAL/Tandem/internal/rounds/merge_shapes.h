@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Touching shapes become one where that gains: see Union_gain.h. Without it slanted surfaces are cut into terraces.
+// Touching shapes become one where that gains: see Union_gain. Without it slanted surfaces are cut into terraces.
 // Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Changes the table of shapes, labels, states and
 // lists of cells, and the links.
 
