@@ -3,7 +3,8 @@
 //
 // What detections end with. Relations must not lose faces of hardly more than the minimum size, and points that fit a
 // shape around them must not be free. A bent floor is cut as the score says, and layers near each other stay apart.
-// Planes lie in the middle of their points. Planes through clutter are no shapes: see drop_slabs() of result/extract_shapes.h.
+// Planes lie in the middle of their points. Planes through clutter are no shapes: see
+// drop_slabs() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
 
