@@ -170,26 +170,26 @@ Scene make_scene(const Model& model, const Options& options)
 namespace {
 
 struct Named_model {
-  std::string name;
+  const char* name;
   Model (*make)();
 };
-const Named_model models[] = {{"house", make_house},
-                              {"village", make_village},
-                              {"indoor", make_indoor},
-                              {"part", make_part},
-                              {"cube", [] { return make_cube(); }},
-                              {"tilted_cube", [] { return make_tilted_cube(); }},
-                              {"staircase", [] { return make_staircase(); }},
-                              {"squares_gap", [] { return make_squares(.5); }},
-                              {"squares_touching", [] { return make_squares(0); }},
-                              {"slope", [] { return make_slope(); }},
-                              {"chained", [] { return make_chained(); }},
-                              {"two_followers", make_two_followers},
-                              {"offset_pair", [] { return make_offset_pair(.05); }},
-                              {"sphere", make_sphere},
-                              {"noise", [] { return make_cube(); }}, // where it is
-                              {"bent_hall", make_bent_hall},
-                              {"bent_road", make_bent_road}};
+constexpr Named_model models[] = {{"house", make_house},
+                                  {"village", make_village},
+                                  {"indoor", make_indoor},
+                                  {"part", make_part},
+                                  {"cube", [] { return make_cube(); }},
+                                  {"tilted_cube", [] { return make_tilted_cube(); }},
+                                  {"staircase", [] { return make_staircase(); }},
+                                  {"squares_gap", [] { return make_squares(.5); }},
+                                  {"squares_touching", [] { return make_squares(0); }},
+                                  {"slope", [] { return make_slope(); }},
+                                  {"chained", [] { return make_chained(); }},
+                                  {"two_followers", make_two_followers},
+                                  {"offset_pair", [] { return make_offset_pair(.05); }},
+                                  {"sphere", make_sphere},
+                                  {"noise", [] { return make_cube(); }}, // where it is
+                                  {"bent_hall", make_bent_hall},
+                                  {"bent_road", make_bent_road}};
 
 } // namespace
 
