@@ -11,8 +11,8 @@
 #include "Shuffled_block.h"
 
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+#include <CGAL/Tandem/internal/result/group_points.h>
 
 #include <algorithm>
 #include <functional>

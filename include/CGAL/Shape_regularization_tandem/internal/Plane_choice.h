@@ -138,8 +138,6 @@ private:
   std::vector<Shape_place> places_;  // by cell
 };
 
-// ---
-
 // What decides on the planes of a point.
 struct Point_to_label {
   Vector position, normal; // a null normal fits each plane

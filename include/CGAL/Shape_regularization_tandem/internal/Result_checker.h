@@ -141,8 +141,6 @@ inline std::string listing_violation(const Shapes_data& data)
   return given_direction_violation(data, directions);
 }
 
-// ---
-
 // --- What all processes have of a result, as one number.
 
 // Of all but what is said of single points. Shapes: a Planar_shapes_3.
@@ -180,8 +178,6 @@ std::uint64_t common_hash(const Shapes_data& data)
     add_number(x);
   return h;
 }
-
-// ---
 
 // Memory and time are those of a neighbor search, and of a few passes over the points.
 template <class GeomTraits>

@@ -12,8 +12,8 @@
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 #ifndef CGAL_TANDEM_USE_ENGINE
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/regularity/relate_planes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 #else
 
 namespace CGAL {

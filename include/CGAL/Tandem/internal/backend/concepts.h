@@ -108,8 +108,6 @@ struct Sent {
 
 } // namespace archetypes
 
-// ---
-
 // Block, for lanes that share the scratch of a cell:
 //   lookahead                              items worth trying before it is known whether they are needed, at most 32
 //   for_each(n, f)                         f(i) for i in [0, n); then all lanes see all writes

@@ -113,8 +113,6 @@ bool inspect_points(const Values<Value>& values, std::size_t points, Coordinate_
   return is_complete;
 }
 
-// ---
-
 // Converts one item at a time, through the maps and functors of the traits, to three numbers.
 template <class Traits>
 class Item_reader {

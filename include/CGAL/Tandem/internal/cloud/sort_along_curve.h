@@ -92,8 +92,6 @@ CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t 
   return interleave_octants(x, y, z);
 }
 
-// ---
-
 // The side that a normal points to, of the six of a cube; 0 without a normal.
 CGAL_TANDEM_HD inline std::uint32_t side_of(std::uint32_t normal)
 {

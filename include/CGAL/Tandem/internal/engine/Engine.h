@@ -9,11 +9,11 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
 
 #include <CGAL/Tandem/internal/backend/concepts.h>
-#include <CGAL/Tandem/internal/finish/end_game.h>
-#include <CGAL/Tandem/internal/result/extract_shapes.h>
-#include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/Detection_engine.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
+#include <CGAL/Tandem/internal/finish/end_game.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/result/extract_shapes.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>

@@ -44,8 +44,6 @@ struct Tandem_state {
   std::size_t peak_bytes = 0; // of the tables of the size of the cloud
 };
 
-// ---
-
 // --- Times of the stages, for the statistics. No result depends on them.
 
 // Adds the seconds from its construction to stop() or its end to a stage. The caller waits for a device before, or its
@@ -71,8 +69,6 @@ private:
   Clock::time_point start_ = Clock::now();
   bool is_running_ = true;
 };
-
-// ---
 
 // Makes points free, and clears their states.
 struct Free_all {

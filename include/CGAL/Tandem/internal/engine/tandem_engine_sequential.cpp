@@ -5,8 +5,8 @@
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
-#include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/regularity/relate_planes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 namespace CGAL {
 namespace Tandem {

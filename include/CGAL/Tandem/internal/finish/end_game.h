@@ -56,8 +56,6 @@ void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>&
   points.refresh_labels();
 }
 
-// ---
-
 struct Round_plane {
   Shape* shape;
   Plane* plane;

@@ -20,9 +20,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// --- Breadth-first growth of the shapes that have points in a cell, with their planes fixed. A cell reads and writes
-// labels and states of its own points only, so cells need no order. See the manual, "Growth".
-
 // --- What the growth inside one octree cell reads and writes: shapes, seeds, and its scratch memory.
 
 // What growth uses of the shapes during one pass: plain arrays, by shape. A cell writes the entries of its new shapes
@@ -72,7 +69,8 @@ struct Growth_scratch {
   Trial trial[maximum_lookahead];
 };
 
-// ---
+// --- Breadth-first growth of the shapes that have points in a cell, with their planes fixed. A cell reads and writes
+// labels and states of its own points only, so cells need no order. See the manual, "Growth".
 
 // Changed are labels, states, the seed cursor, the new shapes and the sums.
 struct Growth_input {
@@ -202,8 +200,6 @@ protected:
   std::uint32_t* label_;
   std::uint8_t* state_;
 };
-
-// ---
 
 // All members are called by all lanes of the block, but for those that are called within its functors.
 template <class Backend, class Block, class Scratch>

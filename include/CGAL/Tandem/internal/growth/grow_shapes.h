@@ -186,8 +186,6 @@ std::size_t count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& 
   return points.ranks.total(to_vector(points.backend, found).front());
 }
 
-// ---
-
 // Replaces old ids by new ones in the labels. No label has an id that is out of use.
 struct Replace_ids {
   const std::uint32_t* new_id; // by old id

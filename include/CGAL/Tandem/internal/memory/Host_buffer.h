@@ -193,8 +193,6 @@ private:
   }
 };
 
-// ---
-
 // An array of plain items without initial values. So each page is first touched by the thread that fills it, and lies
 // in that thread's part of the memory. Cannot be copied, only moved.
 template <class T>

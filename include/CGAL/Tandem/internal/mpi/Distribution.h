@@ -10,9 +10,9 @@
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
-#include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
+#include <CGAL/Tandem/internal/result/group_points.h>
 
 #include <algorithm>
 #include <array>
@@ -159,8 +159,6 @@ private:
   std::uint64_t total_;
   std::vector<Boundary_leaf> leaf_; // by rank
 };
-
-// ---
 
 // The code of an imported point.
 struct Write_code {

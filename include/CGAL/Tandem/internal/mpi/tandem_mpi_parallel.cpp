@@ -3,8 +3,8 @@
 
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -128,8 +128,6 @@ std::vector<Plane_level> measure_planes(Backend& backend, std::vector<Grid_point
   return levels;
 }
 
-// ---
-
 // The q-quantile of the values, which are reordered, in linear time; 0 if there are none.
 inline double quantile(std::vector<double>& values, double q)
 {

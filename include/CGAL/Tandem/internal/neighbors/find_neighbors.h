@@ -272,8 +272,6 @@ private:
   Candidate reduced_[bucket_size][maximum]; // by query, ascending
 };
 
-// ---
-
 // Searches for all points of one bucket together. They lie next to each other on the curve, so they have most
 // candidates in common. A thread reuses its search for one bucket after the other. K: see Bucket_neighbors.
 template <class Tree, int K>

@@ -23,12 +23,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// --- The noise as a field over the surfaces: smoothed, and whether it varies for certain, as that of a depth camera does with
-// the range. Then neighboring patches agree, and distant ones do not; vegetation and clutter differ between neighbors, too.
-
-// --- The nearest patches of any position, by a k-d tree. It does not depend on the order of the patches but for those at one
-// position.
-
 // --- What measure_cloud.h finds.
 
 // The noise about a place of a surface.
@@ -53,7 +47,8 @@ struct Cloud_measure {
   std::vector<Patch_noise> patch;
 };
 
-// ---
+// --- The nearest patches of any position, by a k-d tree. It does not depend on the order of the patches but for those at one
+// position.
 
 // A balanced tree in the order of the table: the node of [first, last) is its middle.
 class Patch_tree {
@@ -143,7 +138,8 @@ private:
   std::vector<std::uint8_t> axis_;
 };
 
-// ---
+// --- The noise as a field over the surfaces: smoothed, and whether it varies for certain, as that of a depth camera does with
+// the range. Then neighboring patches agree, and distant ones do not; vegetation and clutter differ between neighbors, too.
 
 // The noise of each patch becomes the median of the nearest ones.
 template <class Backend>
@@ -190,8 +186,6 @@ void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud
   m.high_noise = quantile(smooth, 1 - low_noise_quantile);
   m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ);
 }
-
-// ---
 
 // What is found of one patch.
 struct Patch_measure {

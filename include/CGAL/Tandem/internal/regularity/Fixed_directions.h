@@ -182,8 +182,6 @@ inline std::vector<int> by_weight(const std::vector<Direction_group>& groups)
   return order;
 }
 
-// ---
-
 // The fixed directions that may be the best partner of a group. Values of the index are roots of weights.
 class Partner_region {
 public:

@@ -89,8 +89,6 @@ std::vector<Star> find_stars(const std::vector<Star_candidate>& candidates, Is_f
   return stars;
 }
 
-// ---
-
 // Followers in the plane orthogonal to n, sorted by angle. The angle is replaced by a monotone function in [0, 2).
 // Opposite directions have the same value, and a right angle is 1. It needs no trigonometric function.
 class Follower_circle {

@@ -79,8 +79,6 @@ private:
   double slope[3];         // by face: how much the dot product changes within a cell
 };
 
-// ---
-
 inline Great_circle great_circle(const Vector& axis) { return {axis.x, axis.y, axis.z}; }
 
 // Directions are numbered in the order in which they were added. Each has a value of at least 0. A cell knows the

@@ -126,8 +126,6 @@ private:
   const Regularity_options& options_;
 };
 
-// ---
-
 // --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
 // this saves are worth more than what its points lose. Shapes are only read. See the manual, "Relations by Price".
 
@@ -210,8 +208,6 @@ private:
   const Regularity_options& options_;
   double sine_; // of the angle within which shapes may be parallel
 };
-
-// ---
 
 // By shape, the number of its direction; -1 for shapes without a group. Groups whose directions have the same bits get
 // the same number, since frames can make them equal.

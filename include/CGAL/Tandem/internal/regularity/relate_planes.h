@@ -113,8 +113,6 @@ private:
   std::vector<char> is_excluded_;
 };
 
-// ---
-
 // Without points, or without noise and offset, any positive length serves.
 inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
                                        const std::vector<Coefficients>& planes, const Regularity_options& options)

@@ -111,8 +111,6 @@ inline bool is_slab(const std::uint64_t* counts)
   return !least.is_reached(std::int64_t(counts[neighbor_counts::near]), std::int64_t(counts[neighbor_counts::all]));
 }
 
-// ---
-
 // In the order in which they are tried: each point has the first one that holds.
 namespace free_reason {
 enum Reason : std::size_t { without_normal, misfit, without_neighbors, in_small_regions, clutter, size };

@@ -9,9 +9,9 @@
 
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
 #include <algorithm>
@@ -117,8 +117,6 @@ inline void measure_relations(Shapes_data& data, const Score_counts& counts)
                             ? double(statistics.degrees_of_freedom) / double(3 * statistics.number_of_shapes)
                             : 0;
 }
-
-// ---
 
 // What the directions of the groups have in common up to rounding, whether or not the regularity step made it so.
 inline void relate_groups(Shapes_data& data)

@@ -222,8 +222,6 @@ private:
   double squared_cosine_of_twice_;
 };
 
-// ---
-
 // A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the
 // other, one in a round.
 CGAL_TANDEM_HD inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)

@@ -256,8 +256,6 @@ struct Set_interior {
   CGAL_TANDEM_HD void operator()(std::size_t b) const { passes.set_interior(std::uint32_t(b), state); }
 };
 
-// ---
-
 struct Set_assigned {
   const Shape* shape;
   const Plane* plane;

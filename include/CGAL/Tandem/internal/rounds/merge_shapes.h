@@ -161,8 +161,6 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   return unions;
 }
 
-// ---
-
 // All members of unions: see join_members().
 struct Members_of_unions {
   const std::uint32_t* member;

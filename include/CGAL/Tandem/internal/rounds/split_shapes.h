@@ -200,8 +200,6 @@ private:
   double far_;        // in grid steps
 };
 
-// ---
-
 // Shapes that may gain by a split.
 struct May_split {
   const Shape* shape;

@@ -103,8 +103,6 @@ struct Merge_runs {
   }
 };
 
-// ---
-
 // --- Which items are kept, of few by two loops of the queue, of many by CUB.
 
 // The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
@@ -128,8 +126,6 @@ std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
   synchronize();
   return std::size_t(*size);
 }
-
-// ---
 
 // --- Rounds of steps in one kernel: launches and waits between the steps would take longer.
 
@@ -169,8 +165,6 @@ void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
   CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
                                                arguments, 0, stream_of_thread()));
 }
-
-// ---
 
 // Used by one thread at a time. Functors are copied to the device with a launch, so they hold pointers to its memory
 // only. Memory is released in the order of the stream: buffers may end while kernels that use them still run.

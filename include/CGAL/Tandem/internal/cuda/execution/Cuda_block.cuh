@@ -26,8 +26,6 @@ __device__ auto* atomic_address(T& target)
     return &target;
 }
 
-// ---
-
 // Each operation begins and ends with a barrier: what lanes have read between two
 // operations is not overwritten before all have read it.
 template <unsigned Lanes>

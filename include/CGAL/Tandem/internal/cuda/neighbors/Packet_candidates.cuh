@@ -58,8 +58,6 @@ __device__ __forceinline__ void sort_odd_even(std::uint32_t (&a)[N])
   }
 }
 
-// ---
-
 // --- The frame in which a packet is searched in float: relative to the middle of the box of its 32 queries. There,
 // coordinates are small, so float is exact or nearly exact.
 
@@ -133,8 +131,6 @@ private:
   int x_, y_, z_;
   float half_x_, half_y_, half_z_;
 };
-
-// ---
 
 // Batches with a candidate; a packet that needs more is searched in another way.
 constexpr int maximum_batches = 32;

@@ -139,8 +139,6 @@ private:
   std::map<int, Blocks> blocks_;
 };
 
-// ---
-
 // A pool for each device, made at its first use. Not the default pools: their settings belong to the caller.
 class Memory_pools {
 public:

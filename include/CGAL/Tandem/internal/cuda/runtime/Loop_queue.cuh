@@ -94,8 +94,6 @@ private:
   bool is_other_;
 };
 
-// ---
-
 // What stands before the functor of a loop.
 struct Loop_header {
   std::uint64_t function; // its address on the device

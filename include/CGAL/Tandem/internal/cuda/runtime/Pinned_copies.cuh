@@ -107,8 +107,6 @@ private:
   char* memory_ = nullptr;
 };
 
-// ---
-
 // A stream for copies, with an event for each of the two pieces of a pair.
 struct Copy_stream {
   cudaStream_t stream = nullptr;

@@ -246,8 +246,6 @@ inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>
   result.shape_of = std::move(table);
 }
 
-// ---
-
 // Import and grouping differ for their copies, neighbors for speed. The cells are used to start large ones
 // first.
 template <>

@@ -81,8 +81,6 @@ void for_each_message(std::size_t n, F f)
     f(first, int((std::min)(largest, n - first)));
 }
 
-// ---
-
 // --- Exceptions as text, so that the one of one rank can be thrown by all. Types of the standard library are kept; others
 // become std::runtime_error.
 
@@ -136,8 +134,6 @@ public:
 private:
   std::string encoded_;
 };
-
-// ---
 
 class Communicator {
 public:

@@ -128,8 +128,6 @@ private:
   std::vector<std::uint32_t> rank_;          // by box
 };
 
-// ---
-
 // --- The nearest points of this rank within balls around points of other ranks.
 
 // A point for another rank, with the squared radius of its ball.
@@ -223,8 +221,6 @@ private:
   const Tree& tree_;
   std::size_t k_;
 };
-
-// ---
 
 // A point of any rank: its position there.
 struct Rank_point {
