@@ -57,7 +57,7 @@ run_bits()
   install clang
   for compiler in 'g++ -O3 -march=native' 'clang++ -O2'; do
     # shellcheck disable=SC2086
-    $compiler -std=c++17 -DNDEBUG -DBOOST_TEST_DYN_LINK -Iinclude -Itest/Shape_regularization_tandem -include testing/checks.h \
+    $compiler -std=c++17 -DNDEBUG -DBOOST_TEST_DYN_LINK -Iinclude -Itest/Shape_regularization_tandem \
       test/Shape_regularization_tandem/testing/main.cpp test/Shape_regularization_tandem/engine/test_same_bits.cpp \
       -o build/bits -lboost_unit_test_framework -lgmp -lmpfr
     build/bits || fail "results depend on the compiler: $compiler"
