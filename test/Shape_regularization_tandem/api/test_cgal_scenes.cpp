@@ -90,7 +90,7 @@ Cloud read_cloud(const std::string& file, const std::string& other_name = "")
   for(Vec p, n; in >> p.x >> p.y >> p.z >> n.x >> n.y >> n.z;)
     add(cloud, p, n);
   if(cloud.empty())
-    std::cout << "skipped: there is no " << file << " of CGAL" << std::endl;
+    skip("there is no " + file + " of CGAL");
   return cloud;
 }
 

@@ -48,6 +48,19 @@ inline void fail(const std::string& what, const char* file = __FILE__, int line 
     std::cerr << file << ":" << line << ": " << what << std::endl;
 }
 
+// Whether a case could not run here, and has said so: then a program without failures exits with 77, see main.cpp.
+inline bool& is_skipped()
+{
+  static bool is_any = false;
+  return is_any;
+}
+
+inline void skip(const std::string& why)
+{
+  is_skipped() = true;
+  std::cout << "skipped: " << why << std::endl;
+}
+
 // What follows `--` on the command line: test_engine --run_test=test_properties -- SEED COUNT.
 inline std::uint64_t argument(int i, std::uint64_t otherwise)
 {

@@ -17,7 +17,7 @@ inline bool has_device()
 {
   if(CGAL::Tandem::cuda_available())
     return true;
-  std::cout << "skipped: " << CGAL::Tandem::cuda_device_report() << std::endl;
+  skip(CGAL::Tandem::cuda_device_report());
   return false;
 }
 
