@@ -69,9 +69,6 @@ foreach(library IN ITEMS tandem_engine tandem_models)
     tandem_set_warnings(${library})
   endif()
 endforeach()
-if(NOT is_imported) # g++ inlines the graph cut of Boost, and does not follow what it initializes
-  target_compile_options(tandem_models PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-endif()
 
 # Programs that offer the CUDA back end where it is built.
 function(tandem_link_cuda target)
