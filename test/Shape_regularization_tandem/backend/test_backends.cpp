@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(atomics)
 {
   on_host_backends([](auto backend, const std::string& name) {
     using Backend = decltype(backend);
-    constexpr std::size_t n = 200000, slots = 1000;
+    constexpr std::size_t n = 1000000, slots = 1000; // long enough for threads to meet
     std::int64_t sum = 0;
     std::int32_t largest = 0;
     std::uint64_t smallest = n;
