@@ -19,7 +19,7 @@
 
 BOOST_AUTO_TEST_SUITE(test_tbb_contexts)
 
-constexpr std::size_t clouds = 8;
+constexpr std::size_t clouds = 6;
 
 struct Thrown_by_caller : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -30,7 +30,7 @@ public:
   Siblings()
   {
     for(std::size_t i = 0; i < clouds; ++i) {
-      cloud_.push_back(to_cloud(scenes::make_scene("house", scene_options(30000 + 3000 * i, .002))));
+      cloud_.push_back(to_cloud(scenes::make_scene("house", scene_options(20000 + 2000 * i, .002))));
       expected_.push_back(detect(cloud_[i], parameters_, Given::nothing).hash());
     }
   }
@@ -75,11 +75,11 @@ private:
   std::vector<std::uint64_t> expected_;
 };
 
-BOOST_AUTO_TEST_CASE(all_cases)
+BOOST_AUTO_TEST_CASE(ended_groups)
 {
   Siblings siblings;
   std::size_t compared = 0;
-  for(std::size_t last = 0; last < clouds; ++last) {
+  for(std::size_t last : {std::size_t(0), clouds / 2, clouds - 1}) {
     compared +=
       siblings.run("thrown", last, [](tbb::task_group_context&) { throw Thrown_by_caller("by a task of the caller"); });
     compared +=

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The arithmetic below all decisions, against long double and brute force: packed
-// normals, the predicate fits(), moments, fits, eigenvectors.
+// normals, the predicate fits(), levels of tolerances, moments, fits, eigenvectors.
 
 #include "testing/random_points.h"
 #include "testing/test_support.h"
@@ -42,7 +42,7 @@ void check_packing(const Vector& n)
   CHECK_AT(code != no_normal, text(n));
 }
 
-void test_normals()
+BOOST_AUTO_TEST_CASE(packed_normals)
 {
   Random random(1);
   for(int i = 0; i < 20000; ++i) {
@@ -64,7 +64,7 @@ void test_normals()
 }
 
 // Where long double says clearly yes or no, the integers have to agree.
-void test_fits()
+BOOST_AUTO_TEST_CASE(predicate)
 {
   Random random(2);
   int near = 0, aligned = 0;
@@ -95,7 +95,7 @@ void test_fits()
 }
 
 // Both bounds belong to the shape.
-void test_bounds_are_inclusive()
+BOOST_AUTO_TEST_CASE(bounds_are_inclusive)
 {
   const Plane flat = make_plane({0, 0, 1}, {0, 0, 0});
   const Tolerance t = make_tolerance(100, cosine_deg(60));
@@ -103,6 +103,50 @@ void test_bounds_are_inclusive()
   for(std::int32_t z : {100, -100, 101, -101})
     for(std::uint32_t normal : {up, down, no_normal})
       CHECK_AT(fits(flat, {5, -7, z, normal}, t) == (std::abs(z) == 100 && normal != no_normal), std::to_string(z));
+}
+
+// Never above the tolerance, nor far below it, and the smallest level.
+void check_level(double tolerance, double epsilon)
+{
+  const std::string of = std::to_string(tolerance / epsilon) + " of " + std::to_string(epsilon);
+  const std::uint8_t level = level_of(tolerance, epsilon);
+  const double rounded = epsilon * level_factor(level);
+  CHECK_AT(rounded <= tolerance, of);
+  if(tolerance >= epsilon)
+    check_equal(int(level), 0, of);
+  else if(tolerance > epsilon * 1e-9)
+    CHECK_AT(tolerance < rounded * std::exp2(.1251), of);
+  CHECK_AT(level == 0 || epsilon * level_factor(std::uint8_t(level - 1)) > tolerance, of);
+}
+
+BOOST_AUTO_TEST_CASE(levels)
+{
+  Random random(5);
+  for(int i = 0; i < 20000; ++i)
+    check_level(std::exp2(40 * random.uniform() - 38), i % 3 == 0 ? 1 : std::exp2(30 * random.uniform() - 15));
+  for(int octave = 0; octave < 32; ++octave)
+    for(double factor : {1., std::nextafter(1., 0.), std::nextafter(1., 2.)})
+      check_level(factor * std::ldexp(.3, -octave), .3);
+  for(double tolerance : {1e-300, 1e-320, HUGE_VAL})
+    check_level(tolerance, .01);
+  check_equal(level_factor(no_level), 0., "below all levels");
+}
+
+// Their integer squares, and the tolerance of a test.
+BOOST_AUTO_TEST_CASE(factors_of_levels)
+{
+  for(int level = 0; level < no_level; ++level) {
+    const double factor = level_factor(std::uint8_t(level));
+    CHECK_AT(std::fabs(factor - std::exp2(-level / 8.)) <= 1e-15 * factor, std::to_string(level));
+    const double square = double(squared_level(std::uint8_t(level))) / double(squared_level_unit);
+    CHECK_AT(square >= 1 / double(squared_level_unit) && std::fabs(square - factor * factor) < 2e-7,
+             std::to_string(level));
+  }
+  const Tolerance most = {1000 << 20, 77, -3};
+  check_equal(most.at(0).distance, most.distance, "of level 0");
+  check_equal(most.at(8).distance + 3, (most.distance + 3) / 2, "of level 8");
+  check_equal(most.at(no_level).distance, std::int64_t(1) - 3, "of no level");
+  check_equal(most.at(8).squared_cosine, most.squared_cosine, "the angle of level 8");
 }
 
 bool equal(const Moments& a, const Moments& b)
@@ -113,7 +157,7 @@ bool equal(const Moments& a, const Moments& b)
 // The same sums three ways: in grid coordinates, relative to a point, and by words
 // with their carry, where points are also taken out again.
 template <class Backend>
-void test_moments(const char* name)
+void check_moments()
 {
   Random random(3);
   for(int bits : {3, 12, 23, 28, 29})
@@ -140,7 +184,7 @@ void test_moments(const char* name)
         atomic_add<Backend>(shared, moved, part_box);
         box.add(part_box);
         const std::string where =
-          std::string(name) + ", " + std::to_string(bits) + " bits, part " + std::to_string(part);
+          std::string(Backend::name()) + ", " + std::to_string(bits) + " bits, part " + std::to_string(part);
         CHECK_AT(equal(left, whole), where + ": shifted");
         CHECK_AT(equal(shared.moments(), whole), where + ": shared");
         CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) &&
@@ -150,19 +194,19 @@ void test_moments(const char* name)
     }
 }
 
-// The carry from the low to the high word, both ways.
-void test_carry()
+BOOST_AUTO_TEST_CASE(moments)
 {
-  const Int128 values[] = {0,
-                           1,
-                           -1,
-                           (Int128(1) << 64) - 1,
-                           Int128(1) << 64,
-                           -(Int128(1) << 64),
-                           (Int128(1) << 100) + 5,
-                           -(Int128(1) << 100) - 5,
-                           (Int128(1) << 63),
-                           -(Int128(1) << 63)};
+  check_moments<Sequential_backend>();
+#ifdef CGAL_LINKED_WITH_TBB
+  check_moments<Tbb_backend>();
+#endif
+}
+
+// The carry from the low to the high word, both ways.
+BOOST_AUTO_TEST_CASE(carry)
+{
+  const Int128 low = Int128(1) << 63, high = Int128(1) << 64, higher = (Int128(1) << 100) + 5;
+  const Int128 values[] = {0, 1, -1, high - 1, high, -high, higher, -higher, low, -low};
   for(const Int128& a : values)
     for(const Int128& b : values) {
       Shared_moments shared;
@@ -177,7 +221,7 @@ void test_carry()
 }
 
 // Scatter and plane of points far from the origin, against long double about the centroid.
-void test_fit()
+BOOST_AUTO_TEST_CASE(fitted_plane)
 {
   Random random(4);
   for(int bits : {6, 16, 24, 28}) {
@@ -237,7 +281,7 @@ void check_eigen_system(const Symmetric_matrix& m, const std::string& name)
   }
 }
 
-void test_eigen_system()
+BOOST_AUTO_TEST_CASE(eigen_systems)
 {
   Random random(5);
   for(int i = 0; i < 3000; ++i) {
@@ -259,7 +303,7 @@ void test_eigen_system()
 }
 
 // The eigenvalues of a turned diagonal matrix are known.
-void test_bound_of_eigenvalues()
+BOOST_AUTO_TEST_CASE(bound_of_eigenvalues)
 {
   const Vector u = unit({1, 2, 3}), v = unit(cross(u, {1, 0, 0})), w = cross(u, v);
   const auto along = [](double s, const Vector& n) {
@@ -270,21 +314,6 @@ void test_bound_of_eigenvalues()
   for(const double value : {2.001, 4., 6., 7.1e3})
     CHECK_AT(!has_eigenvalues_above(m, value), std::to_string(value));
   CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  test_normals();
-  test_fits();
-  test_bounds_are_inclusive();
-  test_moments<Sequential_backend>("sequential");
-#ifdef CGAL_LINKED_WITH_TBB
-  test_moments<Tbb_backend>("parallel");
-#endif
-  test_carry();
-  test_fit();
-  test_eigen_system();
-  test_bound_of_eigenvalues();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

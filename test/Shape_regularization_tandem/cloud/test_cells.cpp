@@ -1,18 +1,97 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first and the last step between the caller's points and the engine: the cells
-// of the octree, and the exact check at the bounds.
+// The Hilbert curve: a bijection, octants are contiguous ranges at every level, and consecutive codes belong to positions
+// that share a face. The cells of the octree along it, and the blocks that have neighbors of a block. The exact check at
+// the bounds.
 
+#include "testing/body_fixture.h"
 #include "testing/random_points.h"
-#include "testing/test_support.h"
 
+#include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_cells)
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
+
+using Position = std::array<std::uint32_t, 3>;
+
+constexpr std::uint32_t end_of_curve = 1u << curve_bits;
+
+std::uint64_t code(const Position& p) { return hilbert_code(p[0], p[1], p[2]); }
+
+std::string text(const Position& p)
+{
+  return "at " + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]);
+}
+
+Position random_position(Random& random, std::uint32_t mask)
+{
+  return {std::uint32_t(random.bits()) & mask, std::uint32_t(random.bits()) & mask,
+          std::uint32_t(random.bits()) & mask};
+}
+
+// The cube of 2^bits positions an axis whose lowest corner is `corner`, a multiple of its size.
+void check_cube(const Position& corner, int bits)
+{
+  const std::uint32_t mask = (1u << bits) - 1;
+  const std::size_t count = std::size_t(1) << (3 * bits);
+  const std::uint64_t first = code(corner) & ~std::uint64_t(count - 1);
+  std::vector<Position> at(count);
+  std::vector<char> seen(count, 0);
+  for(std::uint32_t i = 0; i < count; ++i) {
+    const Position p = {corner[0] + (i & mask), corner[1] + (i >> bits & mask), corner[2] + (i >> 2 * bits)};
+    const std::uint64_t offset = code(p) - first;
+    CHECK_AT(offset < count && !seen[offset], text(p) + ": code used twice, or outside of the range of its cube");
+    if(offset >= count)
+      return;
+    seen[offset] = 1;
+    at[offset] = p;
+  }
+  for(std::size_t i = 1; i < count; ++i) {
+    int steps = 0;
+    for(int axis = 0; axis < 3; ++axis)
+      steps += std::abs(int(at[i - 1][axis]) - int(at[i][axis]));
+    CHECK_AT(steps == 1, text(at[i]) + ": consecutive codes are not face neighbors");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cubes_of_the_curve)
+{
+  CHECK(code({0, 0, 0}) == 0);
+  check_cube({0, 0, 0}, 6);
+  check_cube({end_of_curve - 32, end_of_curve - 32, end_of_curve - 32}, 5);
+  Random random(4242);
+  for(int repeat = 0; repeat < 30; ++repeat)
+    check_cube(random_position(random, (end_of_curve - 1) & ~7u), 3);
+}
+
+// All positions of an octant at `level` share the upper digits of their codes with its corner, and no position outside of
+// it does.
+BOOST_AUTO_TEST_CASE(octants_of_the_curve)
+{
+  Random random(4243);
+  for(int repeat = 0; repeat < 20000; ++repeat) {
+    const Position p = random_position(random, end_of_curve - 1);
+    const int level = int(random.bits() % unsigned(curve_bits));
+    const std::uint32_t low = (1u << level) - 1;
+    Position q = random_position(random, low);
+    for(int axis = 0; axis < 3; ++axis)
+      q[axis] |= p[axis] & ~low;
+    CHECK_AT(code(p) >> (3 * level) == code(q) >> (3 * level), text(p) + ": octant is not a range");
+    q[0] ^= 1u << level;
+    CHECK_AT(code(p) >> (3 * level) != code(q) >> (3 * level), text(p) + ": octants overlap");
+  }
+}
 
 // Cells are consecutive, not too large, not too wide.
 void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)
@@ -40,7 +119,7 @@ void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, c
   CHECK_AT(next == points.size(), name + ": the cells end at " + std::to_string(next));
 }
 
-BOOST_AUTO_TEST_CASE(test_cells)
+BOOST_AUTO_TEST_CASE(cells)
 {
   Random random(6);
   for(int bits : {0, 2, 10, 22, 28})
@@ -55,8 +134,94 @@ BOOST_AUTO_TEST_CASE(test_cells)
   check_cells({random_point(random, 28)}, 64, "one point");
 }
 
+using Blocks = std::set<std::uint32_t>;
+
+// The blocks that points of each block have neighbors in, against sets of them. A row that has overflown has more blocks
+// than fit, or neighbors of another rank, which has the points from `own` on. Returns how many rows are listed, and how
+// many are not.
+template <class Backend>
+std::array<int, 2> check_rows(Backend& backend, const std::string& name, const Fixture& f, std::uint32_t own)
+{
+  Labeled_cloud<Backend> points(backend);
+  take_cloud(f, points);
+  points.cloud.ghosts = f.point.size() - own;
+  const Block_rows<Backend> blocks(backend, points.cloud);
+  const std::vector<Block_row> row = to_vector(backend, blocks.row);
+  const std::vector<Block_entries> entries = to_vector(backend, blocks.of_point);
+  check_equal(entries.size(), std::size_t(own), name + ": number of points");
+  check_equal(row.size(), std::size_t((own + 63) / 64), name + ": number of blocks");
+  std::vector<Blocks> expected(row.size());
+  std::vector<bool> has_ghosts(row.size());
+  for(std::uint32_t i = 0; i < own; ++i) {
+    const Block_row& of_point = row[i / 64];
+    expected[i / 64].insert(i / 64);
+    Block_entries of_neighbors = 1; // its own block, and those of its neighbors
+    f.for_each_neighbor(i, [&](std::uint32_t j) {
+      if(j < own)
+        expected[i / 64].insert(j / 64);
+      else
+        has_ghosts[i / 64] = true;
+      of_neighbors = Block_entries(of_neighbors | of_point.entry(j / 64));
+    });
+    // Where the row is not listed others may be among them.
+    CHECK_AT(of_point.size <= Block_row::capacity ? entries[i] == of_neighbors : (entries[i] & 1) != 0,
+             name + ": entries of point " + std::to_string(i));
+  }
+  std::array<int, 2> number = {};
+  for(std::size_t b = 0; b < row.size(); ++b) {
+    const bool is_listed = !has_ghosts[b] && expected[b].size() <= Block_row::capacity;
+    ++number[is_listed ? 0 : 1];
+    CHECK_AT(is_listed
+               ? row[b].size == expected[b].size() && Blocks(row[b].block, row[b].block + row[b].size) == expected[b]
+               : row[b].size > Block_row::capacity,
+             name + ": row of block " + std::to_string(b));
+  }
+  return number;
+}
+
+BOOST_AUTO_TEST_CASE(rows_of_blocks)
+{
+  on_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
+    if(!f.level.empty())
+      return;
+    const std::uint32_t size = f.cloud.size;
+    const std::array<int, 2> all = check_rows(backend, name, f, size),
+                             own = check_rows(backend, name + ", ghosts", f, size - size / 3);
+    CHECK_AT(size < 1000 || (all[0] > 10 && own[0] > 10 && own[1] > 2), name + ": no row has ghosts, or all have");
+  });
+}
+
+// The first block has neighbors in so many other ones. The last one is not full, and its last point has one in the
+// first.
+BOOST_AUTO_TEST_CASE(full_rows)
+{
+  for(std::uint32_t others : {0u, 1u, 14u, 15u, 40u}) {
+    const std::uint32_t blocks = others + 1, n = 64 * blocks - 20;
+    Sequential_backend backend;
+    Sorted_cloud<Sequential_backend> cloud;
+    cloud.k = 1;
+    cloud.point.reset(n);
+    cloud.neighbor.reset(n);
+    for(std::uint32_t i = 0; i < n; ++i)
+      cloud.neighbor[i] = i < 64 ? 64 * (i % blocks) + 1 : i + 1 == n ? 0 : no_index;
+    const auto row = to_vector(backend, Block_rows<Sequential_backend>(backend, cloud).row);
+    const std::string where = std::to_string(others) + " other blocks";
+    check_equal(row.size(), std::size_t(blocks), where + ": number of blocks");
+    check_equal(row[0].size, (std::min)(blocks, Block_row::capacity + 1), where + ": size of the row");
+    for(std::uint32_t b = 1; b < blocks; ++b)
+      CHECK_AT(row[b].block[0] == b && row[b].size == 1 + (b == others) && (b < others || row[b].block[1] == 0),
+               where + ": row of block " + std::to_string(b));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_blocks)
+{
+  for(std::size_t n : {0, 1, 64, 65})
+    check_equal(number_of_blocks(n), (n + 63) / 64, std::to_string(n) + " points");
+}
+
 // The filter may only pass points that are within the bounds, and nothing that is clearly within is freed.
-BOOST_AUTO_TEST_CASE(test_exact_check)
+BOOST_AUTO_TEST_CASE(exact_check)
 {
   Random random(7);
   Import in;
@@ -105,7 +270,7 @@ BOOST_AUTO_TEST_CASE(test_exact_check)
 }
 
 // With any instruction set: of a plane through the origin, no negative zero.
-BOOST_AUTO_TEST_CASE(test_zero_offset)
+BOOST_AUTO_TEST_CASE(zero_offset)
 {
   Grid grid = {};
   grid.step = .5;

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfels against a map of cubes, on several back ends and for shuffled points: which points they have, where they are,
-// their normals, and the cells that they are in. No surfel, joined or not, has points of two layers that are 1.1
-// epsilon apart, and none points of two shapes in a valid result.
+// Surfels against a map of cubes that are counted in plain arithmetic, of points with one tolerance and with tolerances
+// of their own, whose cubes are smaller by octaves: which points surfels have, where they are, their normals and levels,
+// the cells that they are in, the octree of all cubes, and which ones join. No surfel, joined or not, has points of two
+// layers that are 1.1 epsilon apart, and none points of two shapes in a valid result.
 
 #include "testing/body_fixture.h"
 #include "testing/change_table.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,144 +26,324 @@ BOOST_AUTO_TEST_SUITE(test_surfels)
 using namespace CGAL::Tandem::internal;
 namespace scenes = CGAL::Tandem::scenes;
 
-using Points = std::vector<Grid_point>;
+struct Leveled_points {
+  std::vector<Grid_point> point;
+  std::vector<std::uint8_t> level;
+  Grid_point low, high;
+};
 
-// Points in a box of some cubes, many of them copies of others or in heaps.
-Points random_points(std::size_t n, bool has_normals, std::uint64_t seed)
+struct Case {
+  Surfel_cells cells;
+  int width;
+  std::size_t points;
+  bool has_normals;
+
+  std::string text() const
+  {
+    return "edge " + std::to_string(cells.edge) + ", " + std::to_string(cells.octaves) + " octaves" +
+           (has_normals ? "" : ", no normals");
+  }
+};
+
+// In a box of so many steps, around which two points are the corners; some are copies of others or near to them. All
+// levels of tolerances, and more of the small ones.
+Leveled_points random_points(const Case& c)
 {
-  scenes::Random random(seed);
-  Points points;
-  for(std::size_t i = 0; i < n; ++i) {
+  scenes::Random random(std::uint64_t(c.points) + std::uint64_t(c.cells.octaves));
+  Leveled_points p;
+  p.low = {-2 * (c.width / 3), -c.width / 5, 7, no_normal};
+  p.high = {p.low.x + c.width, p.low.y + c.width, p.low.z + c.width, no_normal};
+  for(std::size_t i = 0; i < c.points; ++i) {
     if(i > 0 && random.uniform() < .3) {
-      points.push_back(points[std::size_t(random.uniform() * double(i))]);
-      points.back().x += std::int32_t(random.uniform() * 9);
+      const std::size_t other = std::size_t(random.uniform() * double(i));
+      p.level.push_back(p.level[other]);
+      p.point.push_back(p.point[other]);
+      p.point.back().x = (std::min)(p.point.back().x + std::int32_t(random.uniform() * 9), p.high.x);
       continue;
     }
-    const auto at = [&] { return std::int32_t(20000 * random.uniform()) - 12345; };
+    const auto at = [&](std::int32_t from) { return from + std::int32_t(random.uniform() * (c.width + .999)); };
     const scenes::Vec d = random.direction();
-    const std::int32_t x = at(), y = at(), z = at();
-    points.push_back({x, y, z, has_normals ? encode_normal({d.x, d.y, d.z}) : no_normal});
+    const std::int32_t x = at(p.low.x), y = at(p.low.y), z = at(p.low.z);
+    p.point.push_back({x, y, z, !c.has_normals || i % 17 == 0 ? no_normal : encode_normal({d.x, d.y, d.z})});
+    const double below = random.uniform() < .7 ? 50 : 255;
+    p.level.push_back(std::uint8_t(random.uniform() * below));
   }
-  return points;
+  return p;
 }
 
-// x, y, z of the cube, then the side.
-using Key = std::array<std::int64_t, 4>;
-
-Key key_of(const Grid_point& p, const Grid_point& low, double edge)
+// Heaps of points of one side and nearly one tolerance, many across the borders of cubes.
+Leveled_points random_heaps(std::size_t heaps, const Surfel_cells& surfels, int width, std::uint64_t seed)
 {
-  const auto cube = [&](std::int32_t v, std::int32_t from) {
-    return std::int64_t(std::floor(double(std::int64_t(v) - from) * (1 / edge)));
+  scenes::Random random(seed);
+  Leveled_points p = random_points({surfels, width, 0, true});
+  for(std::size_t heap = 0; heap < heaps; ++heap) {
+    const int octave = int(heap) % (surfels.octaves + 1);
+    const double radius = std::ldexp(surfels.edge, -octave) / 4;
+    const auto at = [&](std::int32_t from) { return from + radius + random.uniform() * (width - 2 * radius); };
+    const double x = at(p.low.x), y = at(p.low.y), z = at(p.low.z);
+    const scenes::Vec d = random.direction();
+    for(int i = 0; i < 20; ++i) {
+      const auto near = [&](double v) { return std::int32_t(v + radius * (2 * random.uniform() - 1)); };
+      const std::int32_t px = near(x), py = near(y), pz = near(z);
+      p.point.push_back({px, py, pz, encode_normal({d.x, d.y, d.z})});
+      p.level.push_back(std::uint8_t(octave == 0 ? 0 : 8 * octave - int(random.bits() % 8)));
+    }
+  }
+  return p;
+}
+
+// A cube is no larger for a point than its tolerance needs: 2^-octave is at most the tolerance, in epsilons.
+int naive_octave(std::uint8_t level, int octaves) { return (std::min)(int(std::ceil(level / 8.)), octaves); }
+
+// x, y, z of the cube of an octave.
+using Cube = std::array<std::int64_t, 3>;
+
+Cube cube_of(const Grid_point& p, const Grid_point& low, double edge, int octave)
+{
+  const auto at = [&](std::int32_t v, std::int32_t from) {
+    return std::int64_t(std::floor((double(v) - from) * (1 / edge) * std::pow(2, octave)));
   };
-  return {cube(p.x, low.x), cube(p.y, low.y), cube(p.z, low.z), naive_side(p)};
+  return {at(p.x, low.x), at(p.y, low.y), at(p.z, low.z)};
 }
 
-Box box_of(const Points& points)
+// Keys ascend along an octree of cubes: those of a cube, of all smaller ones within and of their points are consecutive,
+// and only keys of larger cubes that contain it may be among them.
+void check_octree(const Case& c, const Leveled_points& p)
 {
-  Box box;
-  for(const Grid_point& p : points)
-    box.add(p);
-  return box;
+  const std::string name = c.text();
+  const Code_frame frame = make_code_frame(p.low, p.high, c.cells);
+  CHECK_AT(frame.has_surfels(), name);
+  std::vector<std::uint64_t> key;
+  for(std::size_t i = 0; i < p.point.size(); ++i)
+    key.push_back(frame.code(p.point[i], p.level[i]));
+  for(int octave = 0; octave <= c.cells.octaves; ++octave) {
+    std::map<Cube, std::pair<std::uint64_t, std::uint64_t>> keys_of; // the first and the last one
+    for(std::size_t i = 0; i < key.size(); ++i)
+      if(naive_octave(p.level[i], c.cells.octaves) >= octave) {
+        auto& k = keys_of.emplace(cube_of(p.point[i], p.low, c.cells.edge, octave), std::make_pair(key[i], key[i]))
+                    .first->second;
+        k = {(std::min)(k.first, key[i]), (std::max)(k.second, key[i])};
+      }
+    std::map<std::uint64_t, std::pair<std::uint64_t, Cube>> by_first;
+    for(const auto& k : keys_of)
+      by_first[k.second.first] = {k.second.second, k.first};
+    CHECK_AT(by_first.size() == keys_of.size(), name);
+    std::uint64_t end = 0;
+    for(const auto& k : by_first) {
+      CHECK_AT(k.first >= end, name + ": keys of two cubes of octave " + std::to_string(octave));
+      end = k.second.first + 1;
+    }
+    for(std::size_t i = 0; i < key.size(); ++i) {
+      const auto after = by_first.upper_bound(key[i]);
+      if(after == by_first.begin() || std::prev(after)->second.first < key[i])
+        continue;
+      const int own = (std::min)(octave, naive_octave(p.level[i], c.cells.octaves));
+      Cube cube = std::prev(after)->second.second;
+      for(std::int64_t& v : cube)
+        v >>= octave - own;
+      CHECK_AT(cube == cube_of(p.point[i], p.low, c.cells.edge, own), name + ": a key within those of another cube");
+    }
+  }
+}
+
+// What the engine makes of the points.
+template <class Backend>
+struct Surfel_cloud {
+  Sorted_cloud<Backend> cloud;
+  std::vector<Range> ranges; // of surfels
+
+  Surfel_cloud(Backend& backend, const Leveled_points& p, const Surfel_cells& surfels, std::size_t cell_size)
+  {
+    using Table = typename Backend::Sort_table::View;
+    const std::size_t n = p.point.size();
+    const Code_frame frame = make_code_frame(p.low, p.high, surfels);
+    const auto sorted = sort_along_curve(backend, {p.point.data(), n, p.level.data()}, frame);
+    auto cells = to_buffer(backend, split_cells(backend, sorted, frame, cell_size));
+    cloud.has_levels = true;
+    cloud.order.reset(n);
+    cloud.all_points.reset(n);
+    cloud.level_of_point.reset(n);
+    backend.for_each(n,
+                     Gather_points<Table>{sorted.view(),
+                                          {p.point.data(), nullptr, p.level.data()},
+                                          {cloud.all_points.data(), cloud.order.data(), cloud.level_of_point.data()}});
+    make_surfels(backend, sorted, cloud, cells);
+    ranges = to_vector(backend, cells);
+  }
+};
+
+// The surfels that points have: for each octave, cube and side.
+using Key = std::array<std::int64_t, 5>;
+
+Key key_of(const Grid_point& p, std::uint8_t level, const Grid_point& low, const Surfel_cells& cells)
+{
+  const int octave = naive_octave(level, cells.octaves);
+  const Cube cube = cube_of(p, low, cells.edge, octave);
+  return {octave, cube[0], cube[1], cube[2], naive_side(p)};
+}
+
+std::map<Key, std::size_t> sizes_of_surfels(const Leveled_points& p, const Surfel_cells& cells)
+{
+  std::map<Key, std::size_t> size;
+  for(std::size_t i = 0; i < p.point.size(); ++i)
+    ++size[key_of(p.point[i], p.level[i], p.low, cells)];
+  return size;
+}
+
+// Its points are those of its key, it is at their mean, with the mean of their normals and the level of the smallest
+// tolerance.
+template <class Backend>
+void check_surfel(Surfel_cloud<Backend>& s, std::uint32_t i, const Leveled_points& p, const Surfel_cells& cells,
+                  const std::map<Key, std::size_t>& size, const std::string& name)
+{
+  const Surfels_view surfels = s.cloud.surfels();
+  const Range range = surfels.points(i);
+  const std::uint32_t* order = s.cloud.order.data();
+  const Grid_point& front = p.point[order[range.first]];
+  const Key key = key_of(front, p.level[order[range.first]], p.low, cells);
+  check_equal(std::size_t(range.size()), size.at(key), name + ": points of a surfel");
+  double sum[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+  std::uint8_t largest = 0;
+  for(std::uint32_t q = range.first; q < range.last; ++q) {
+    const Grid_point& point = p.point[order[q]];
+    const std::uint8_t level = p.level[order[q]];
+    CHECK_AT(surfels.of_point(q) == i, name + ": surfel of a point");
+    CHECK_AT(surfels.level_of_point(q) == level, name + ": level of a point");
+    CHECK_AT(key_of(point, level, p.low, cells) == key, name + ": points of one octave, cube and side");
+    CHECK_AT(std::memcmp(&surfels.point[q], &point, sizeof point) == 0, name + ": order of the points");
+    const Int_vector v = decode_normal(point.normal);
+    const std::int32_t c[3] = {point.x, point.y, point.z}, m[3] = {v.x, v.y, v.z};
+    for(int axis = 0; axis < 3; ++axis) {
+      sum[axis] += c[axis];
+      normal[axis] += m[axis];
+    }
+    largest = (std::max)(largest, level);
+  }
+  const Grid_point& center = s.cloud.point.data()[i];
+  const std::int32_t c[3] = {center.x, center.y, center.z};
+  for(int axis = 0; axis < 3; ++axis)
+    CHECK_AT(c[axis] == std::int32_t(std::floor(sum[axis] / range.size() + .5)), name + ": centroid");
+  CHECK_AT(center.normal == (front.normal == no_normal || range.size() == 1
+                               ? front.normal
+                               : encode_normal(unit({normal[0], normal[1], normal[2]}))),
+           name + ": mean normal");
+  CHECK_AT(s.cloud.levels()[i] == largest, name + ": level of a surfel");
+}
+
+// Returns the largest number of points of a cell.
+template <class Backend>
+std::uint32_t check_cells(Surfel_cloud<Backend>& s, std::size_t cell_size, const std::string& name)
+{
+  std::uint32_t next = 0, most_points = 0;
+  for(const Range& cell : s.ranges) {
+    CHECK_AT(cell.first == next && cell.size() > 0, name + ": cells follow each other");
+    CHECK_AT(cell.size() <= cell_size, name + ": surfels of a cell: " + std::to_string(cell.size()));
+    next = cell.last;
+    const Surfels_view surfels = s.cloud.surfels();
+    most_points = (std::max)(most_points, surfels.points(cell.last - 1).last - surfels.points(cell.first).first);
+  }
+  check_equal(std::size_t(next), s.cloud.size(), name + ": cells have all surfels");
+  return most_points;
 }
 
 template <class Backend>
-void test_against_map(Backend& backend, const std::string& name, const Points& points, double edge)
+void check_surfels(Backend& backend, const std::string& of, const Case& c, const Leveled_points& p)
 {
-  const Box box = box_of(points);
-  const Grid_point low = {box.low[0], box.low[1], box.low[2], 0}, high = {box.high[0], box.high[1], box.high[2], 0};
-  const Code_frame frame = make_code_frame(low, high, {edge});
-  const std::size_t n = points.size();
-  const auto input = to_buffer(backend, points);
-  const auto sorted = sort_along_curve(backend, {input.data(), n}, frame);
-  Sorted_cloud<Backend> cloud;
-  auto cells = to_buffer(backend, split_cells(backend, sorted, frame, 64));
-  cloud.order.reset(n);
-  cloud.all_points.reset(n);
-  using Table = typename Backend::Sort_table::View;
-  backend.for_each(n, Gather_points<Table>{sorted.view(),
-                                           {input.data(), nullptr, nullptr},
-                                           {cloud.all_points.data(), cloud.order.data(), nullptr}});
-  make_surfels(backend, sorted, cloud, cells);
-
-  std::map<Key, std::vector<Grid_point>> expected;
-  for(const Grid_point& p : points)
-    expected[key_of(p, low, edge)].push_back(p);
-  check_equal(cloud.size(), expected.size(), name + ": number of surfels");
-  check_equal(cloud.number_of_points(), n, name + ": number of points");
-  const Surfels_view surfels = cloud.surfels();
-  for(std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const Range range = surfels.points(i);
-    const std::vector<Grid_point>& own = expected[key_of(surfels.point[range.first], low, edge)];
-    if(std::size_t(range.size()) != own.size()) {
-      check_equal(std::size_t(range.size()), own.size(), name + ": points of a surfel");
-      continue;
-    }
-    double sum[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
-    for(std::uint32_t p = range.first; p < range.last; ++p) {
-      CHECK_AT(surfels.of_point(p) == i, name + ": surfel of a point");
-      CHECK_AT(key_of(surfels.point[p], low, edge) == key_of(surfels.point[range.first], low, edge),
-               name + ": points of one cube and side");
-      CHECK_AT(std::memcmp(&surfels.point[p], &points[cloud.order.data()[p]], sizeof(Grid_point)) == 0,
-               name + ": order of the points");
-      const Int_vector v = decode_normal(surfels.point[p].normal);
-      const std::int32_t c[3] = {surfels.point[p].x, surfels.point[p].y, surfels.point[p].z}, m[3] = {v.x, v.y, v.z};
-      for(int axis = 0; axis < 3; ++axis) {
-        sum[axis] += c[axis];
-        normal[axis] += m[axis];
-      }
-    }
-    const Grid_point& center = cloud.point.data()[i];
-    const std::int32_t c[3] = {center.x, center.y, center.z};
-    for(int axis = 0; axis < 3; ++axis)
-      CHECK_AT(c[axis] == std::int32_t(std::floor(sum[axis] / range.size() + .5)), name + ": centroid");
-    const std::uint32_t mean = points.front().normal == no_normal ? no_normal
-                               : range.size() == 1                ? surfels.point[range.first].normal
-                                                   : encode_normal(unit({normal[0], normal[1], normal[2]}));
-    CHECK_AT(center.normal == mean, name + ": mean normal");
-  }
-  std::uint32_t next = 0;
-  for(const Range& cell : to_vector(backend, cells)) {
-    CHECK_AT(cell.first == next && cell.size() > 0, name + ": cells follow each other");
-    next = cell.last;
-  }
-  check_equal(std::size_t(next), cloud.size(), name + ": cells have all surfels");
+  const std::string name = of + ", " + c.text();
+  Surfel_cloud<Backend> s(backend, p, c.cells, 64);
+  const auto size = sizes_of_surfels(p, c.cells);
+  check_equal(s.cloud.size(), size.size(), name + ": number of surfels");
+  check_equal(s.cloud.number_of_points(), c.points, name + ": number of points");
+  for(std::uint32_t i = 0; i < s.cloud.size(); ++i)
+    check_surfel(s, i, p, c.cells, size, name);
+  check_cells(s, 64, name);
 }
 
-// Places and normals of the surfels and sizes, of points in any order.
-std::vector<std::array<std::int64_t, 5>> listed_surfels(const Points& points, double edge)
+BOOST_AUTO_TEST_CASE(surfels_of_cubes)
+{
+  constexpr int most = CGAL::Tandem::internal::tuning::grid::maximum_octaves;
+  const Case cases[] = {{{.7, 0}, 20000, 100, true},     {{333.25, 0}, 20000, 2000, true},
+                        {{1000, 0}, 9000, 5000, true},   {{1000, 0}, 9000, 5000, false},
+                        {{60000, 0}, 20000, 2000, true}, {{1000.7, 1}, 9000, 8000, true},
+                        {{2000, 3}, 9000, 20000, true},  {{333.3, 5}, 1500, 20000, true},
+                        {{333.3, 5}, 1500, 5000, false}, {{4e6, most}, 200000000, 6000, true}};
+  for(const Case& c : cases) {
+    const Leveled_points p = random_points(c);
+    check_octree(c, p);
+    on_body_backends([&](auto backend, const std::string& name) { check_surfels(backend, name, c, p); });
+  }
+}
+
+// No cell has more surfels than it may have, where cubes of all octaves have points, and most all sides.
+BOOST_AUTO_TEST_CASE(sizes_of_cells)
 {
   Sequential_backend backend;
-  const Box box = box_of(points);
-  const Code_frame frame =
-    make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}, {edge});
-  const auto sorted = sort_along_curve(backend, {points.data(), points.size()}, frame);
-  Sorted_cloud<Sequential_backend> cloud;
-  auto cells = to_buffer(backend, split_cells(backend, sorted, frame, 64));
-  cloud.order.reset(points.size());
-  cloud.all_points.reset(points.size());
-  backend.for_each(points.size(),
-                   Gather_points<Host_sort_table::View>{sorted.view(),
-                                                        {points.data(), nullptr, nullptr},
-                                                        {cloud.all_points.data(), cloud.order.data(), nullptr}});
-  make_surfels(backend, sorted, cloud, cells);
-  std::vector<std::array<std::int64_t, 5>> list;
-  for(std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const Grid_point& p = cloud.point[i];
-    list.push_back({p.x, p.y, p.z, p.normal, cloud.surfels().points(i).size()});
+  for(const int octaves : {0, 1, 2, 4}) {
+    // Eight cubes of the largest edge for two octaves, one for four.
+    const Case c = {{octaves == 4 ? 4000. : 2000., octaves}, 3999, 40000, true};
+    const Leveled_points p = random_points(c);
+    for(const std::size_t cell_size : {50u, 64u, 80u, 300u, 8192u}) {
+      const std::string name = c.text() + ", " + std::to_string(cell_size);
+      Surfel_cloud<Sequential_backend> s(backend, p, c.cells, cell_size);
+      const std::uint32_t most_points = check_cells(s, cell_size, name);
+      CHECK_AT(most_points > cell_size || octaves > 1 || cell_size > 5000, name + ": no crowd");
+    }
   }
-  return list;
 }
 
-void test_permutations()
+// Surfels join the heaviest neighbor of the same octave and side that is nearer to all points of both than its edge.
+std::uint32_t naive_target(const Cloud_view& cloud, const Surfel_cells& cells, std::uint32_t i, const Range& cell)
 {
-  Points points = random_points(3000, true, 5);
-  const auto expected = listed_surfels(points, 1000);
-  std::reverse(points.begin(), points.end());
-  CHECK_AT(listed_surfels(points, 1000) == expected, "surfels of reversed points");
+  const int octave = naive_octave(cloud.level_of(i), cells.octaves);
+  const double edge = std::floor(std::floor(cells.edge) / std::pow(2, octave));
+  std::uint32_t best = i;
+  const auto size = [&](std::uint32_t s) { return cloud.surfels.points(s).size(); };
+  for(const std::uint32_t* q = cloud.row(i); q != cloud.row(i) + cloud.k && *q != no_index; ++q) {
+    const std::uint32_t j = *q;
+    if(j < cell.first || j >= cell.last || naive_octave(cloud.level_of(j), cells.octaves) != octave ||
+       naive_side(cloud.point[j]) != naive_side(cloud.point[i]))
+      continue;
+    bool are_near = true;
+    for(const std::uint32_t s : {i, j})
+      for(std::uint32_t p = cloud.surfels.points(s).first; p < cloud.surfels.points(s).last; ++p) {
+        const Grid_point &a = cloud.surfels.point[p], &b = cloud.point[j];
+        are_near = are_near && std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z) < edge;
+      }
+    if(are_near && (size(j) > size(best) || (size(j) == size(best) && j < best)))
+      best = j;
+  }
+  return best;
+}
+
+BOOST_AUTO_TEST_CASE(targets_of_joins)
+{
+  const int octaves = 3;
+  const Surfel_cells surfels = {1000.7, octaves};
+  const Leveled_points p = random_heaps(400, surfels, 9000, 8);
+  on_body_backends([&](auto backend, const std::string& name) {
+    Surfel_cloud<decltype(backend)> s(backend, p, surfels, 300);
+    const std::uint32_t size = std::uint32_t(s.cloud.size());
+    s.cloud.k = 12;
+    s.cloud.neighbor.reset(size * std::size_t(s.cloud.k));
+    find_neighbors(backend, s.cloud.point.data(), size, s.cloud.k, s.cloud.neighbor.data());
+    const auto cells = to_buffer(backend, s.ranges);
+    auto target = filled_buffer(backend, size, no_index);
+    const Cloud_view cloud = s.cloud.view();
+    backend.template for_each_cell<No_scratch>(cells.size(),
+                                               Choose_target{{cloud, surfels}, cells.data(), target.data()});
+    std::array<int, octaves + 1> joined = {};
+    for(const Range& cell : s.ranges)
+      for(std::uint32_t i = cell.first; i < cell.last; ++i) {
+        check_equal(target.data()[i], naive_target(cloud, surfels, i, cell), name + ": what a surfel joins");
+        joined[std::size_t(naive_octave(cloud.level_of(i), octaves))] += target.data()[i] != i;
+      }
+    for(int octave = 0; octave <= octaves; ++octave)
+      CHECK_AT(joined[std::size_t(octave)] > 0, name + ": none joins in octave " + std::to_string(octave));
+  });
 }
 
 // Two layers of random direction, 1.1 epsilon apart, of points in heaps, so that surfels join. Returns whether they did.
-bool test_layers(Given given, std::uint64_t seed)
+bool check_layers(Given given, std::uint64_t seed)
 {
   scenes::Random random(seed);
   const double epsilon = .7;
@@ -193,15 +375,22 @@ bool test_layers(Given given, std::uint64_t seed)
   const Surfels_view surfels = points.cloud.surfels();
   for(std::uint32_t i = 0; i < points.cloud.size(); ++i)
     for(std::uint32_t q = surfels.points(i).first; q < surfels.points(i).last; ++q)
-      if(layer[points.cloud.order[q]] != layer[points.cloud.order[surfels.points(i).first]]) {
-        CHECK_AT(false, "a surfel has points of two layers, seed " + std::to_string(seed));
-        return false;
-      }
+      CHECK_AT(layer[points.cloud.order[q]] == layer[points.cloud.order[surfels.points(i).first]],
+               "a surfel has points of two layers, seed " + std::to_string(seed));
   return points.cloud.size() < before;
 }
 
+BOOST_AUTO_TEST_CASE(layers)
+{
+  int joined = 0;
+  for(std::uint64_t seed = 1; seed <= 20; ++seed)
+    for(const Given given : {Given::normals, Given::nothing})
+      joined += check_layers(given, seed);
+  CHECK_AT(joined > 10, "surfels were joined in " + std::to_string(joined) + " of 40 clouds");
+}
+
 // Two squares of one plane that are apart. Each surfel has many points; one of each square changes its shape.
-void test_mixed_surfels()
+BOOST_AUTO_TEST_CASE(mixed_surfels)
 {
   scenes::Random random(4);
   Cloud cloud;
@@ -210,7 +399,7 @@ void test_mixed_surfels()
   const Shapes shapes = detect_valid("two squares", cloud, make_parameters(.1, 100));
   check_counts("two squares", shapes, 2, 1, 1);
   const auto maps = CGAL::parameters::point_map(::First<Kernel>()).normal_map(::Second<Kernel>());
-  for(std::size_t i = 0; i < 200; i += 2) {
+  for(std::size_t i = 0; i < 40; i += 2) {
     Shapes::Data data = shapes.data();
     change_table(data.shape_of, [&](std::vector<std::int32_t>& labels) { std::swap(labels[i], labels[i + 1]); });
     std::string why;
@@ -220,7 +409,7 @@ void test_mixed_surfels()
 }
 
 // A cloud too wide for surfels has none, and far points need no more than 64 bits.
-void test_wide_frames()
+BOOST_AUTO_TEST_CASE(wide_frames)
 {
   const Grid_point low = {-(1 << 28), 0, 0, 0}, high = {(1 << 28) - 8, 5, 5, 0};
   CHECK_AT(make_code_frame(low, high, {600}).has_surfels(), "2^29 steps of cubes of 600");
@@ -228,24 +417,6 @@ void test_wide_frames()
   CHECK_AT(!make_code_frame(low, high, {0}).has_surfels(), "no surfels");
   const Code_frame frame = make_code_frame(low, high, {600});
   CHECK_AT(frame.code(low) != frame.code(high) && frame.code(high) >> 63 == 0, "codes of both ends");
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  on_body_backends([](auto backend, const std::string& name) {
-    for(const bool has_normals : {true, false})
-      for(const double edge : {.7, 333.25, 1000., 60000.})
-        test_against_map(backend, name + ", edge " + std::to_string(edge),
-                         random_points(edge < 1 ? 100 : 2000, has_normals, 3), edge);
-  });
-  test_permutations();
-  int joined = 0;
-  for(std::uint64_t seed = 1; seed <= 40; ++seed)
-    for(const Given given : {Given::normals, Given::nothing})
-      joined += test_layers(given, seed);
-  CHECK_AT(joined > 20, "surfels were joined in " + std::to_string(joined) + " of 80 clouds");
-  test_mixed_surfels();
-  test_wide_frames();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,7 @@
 //
 // Cuda_tag as a guest of its process: several threads, the current device, memory that
 // is kept and given back, memory that is too small.
-//   test_cuda_device [RUNS]   checks, too, that so many runs do not lose memory
+// After -- an argument RUNS: that so many runs do not lose memory.
 
 #include "testing/cuda_support.h"
 
@@ -14,7 +14,16 @@
 #include <cstdlib>
 #include <thread>
 
-BOOST_AUTO_TEST_SUITE(test_cuda_device)
+// The first context is that of the last device, for the first case.
+boost::test_tools::assertion_result has_last_device(boost::unit_test::test_unit_id id)
+{
+  int devices = 0;
+  if(cudaGetDeviceCount(&devices) == cudaSuccess && devices > 1)
+    static_cast<void>(cudaSetDevice(devices - 1));
+  return has_device(id);
+}
+
+BOOST_AUTO_TEST_SUITE(test_cuda_device, *boost::unit_test::precondition(has_last_device))
 
 using CGAL::Tandem::Cuda_if_available_tag;
 
@@ -32,8 +41,22 @@ int number_of_devices()
   return devices;
 }
 
+// The last device is used, and that alone: the first of several has no context afterwards, of any thread. The first
+// case, before something else has made one.
+BOOST_AUTO_TEST_CASE(last_device)
+{
+  const int last = number_of_devices() - 1;
+  const Cloud cloud = make_cloud("house", 300000);
+  const Parameters parameters = make_parameters(.05, 100);
+  CHECK(cudaSetDevice(last) == cudaSuccess);
+  CHECK(detect<Cuda_tag>(cloud, parameters).hash() == detect(cloud, parameters).hash());
+  CHECK(CGAL::Tandem::internal::has_context(last));
+  CHECK(last == 0 || !CGAL::Tandem::internal::has_context(0));
+  CHECK(cudaSetDevice(0) == cudaSuccess);
+}
+
 // All at the same time, each thread with a cloud of its own and once with the first, and on all devices.
-void test_threads()
+BOOST_AUTO_TEST_CASE(threads_at_once)
 {
   constexpr std::size_t number = 6;
   const char* names[number] = {"house", "village", "indoor", "part", "cube", "staircase"};
@@ -61,7 +84,7 @@ void test_threads()
 }
 
 // A detection that is made by one thread, on the last device, and finished by another one.
-void test_moves_between_threads()
+BOOST_AUTO_TEST_CASE(moves_between_threads)
 {
   const Cloud cloud = make_cloud("house", 20000);
   const auto list = CGAL::Tandem::parameters::settings(make_parameters(.05, 40))
@@ -80,22 +103,8 @@ void test_moves_between_threads()
   CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
 }
 
-// The last device is used, and that alone: the first of several has no context afterwards, of any thread. To be called
-// before something else has made one.
-void test_last_device()
-{
-  const int last = number_of_devices() - 1;
-  const Cloud cloud = make_cloud("house", 300000);
-  const Parameters parameters = make_parameters(.05, 100);
-  CHECK(cudaSetDevice(last) == cudaSuccess);
-  CHECK(detect<Cuda_tag>(cloud, parameters).hash() == detect(cloud, parameters).hash());
-  CHECK(CGAL::Tandem::internal::has_context(last));
-  CHECK(last == 0 || !CGAL::Tandem::internal::has_context(0));
-  CHECK(cudaSetDevice(0) == cudaSuccess);
-}
-
 // On each device there is; the current one stays what it was.
-void test_current_device()
+BOOST_AUTO_TEST_CASE(current_device)
 {
   const Cloud cloud = make_cloud("house", 10000);
   const std::uint64_t expected = detect(cloud, make_parameters(.05, 40)).hash();
@@ -126,7 +135,7 @@ struct Failing_map {
 };
 
 // Nothing is lost where a map fails in the middle of the upload, and where a callback throws between rounds.
-void test_exceptions()
+BOOST_AUTO_TEST_CASE(exceptions)
 {
   const Cloud cloud = make_cloud("house", 100000);
   const auto settings = CGAL::Tandem::parameters::settings(make_parameters(.05, 40)).normal_map(Second<Kernel>());
@@ -152,7 +161,7 @@ void test_exceptions()
 }
 
 // What a run keeps for the next one is given back, as often as asked for.
-void test_release()
+BOOST_AUTO_TEST_CASE(release)
 {
   const Cloud cloud = make_cloud("village", 300000);
   CGAL::Tandem::internal::release_cuda_memory();
@@ -167,7 +176,7 @@ void test_release()
 }
 
 // Another user of the device leaves less memory than the tables of cells and shapes need.
-void test_too_large_cloud()
+BOOST_AUTO_TEST_CASE(too_large_cloud)
 {
   const Cloud cloud = make_cloud("house", 120000);
   const Parameters parameters = make_parameters(.05, 100);
@@ -187,8 +196,9 @@ void test_too_large_cloud()
 }
 
 // The first runs find out how much memory is kept.
-void test_loop(int runs)
+BOOST_AUTO_TEST_CASE(loop)
 {
+  const int runs = int(argument(1, 30));
   const Cloud cloud = make_cloud("house", 20000);
   const Parameters parameters = make_parameters(.05, 40);
   const std::uint64_t expected = detect(cloud, parameters).hash();
@@ -202,23 +212,6 @@ void test_loop(int runs)
   }
   if(runs > 10)
     check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  int devices = 0;
-  if(cudaGetDeviceCount(&devices) == cudaSuccess && devices > 1)
-    static_cast<void>(cudaSetDevice(devices - 1)); // test_last_device()
-  if(!has_device())
-    return;
-  test_last_device();
-  test_threads();
-  test_moves_between_threads();
-  test_current_device();
-  test_exceptions();
-  test_release();
-  test_too_large_cloud();
-  test_loop(int(argument(1, 30)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

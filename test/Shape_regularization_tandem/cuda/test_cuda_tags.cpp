@@ -6,11 +6,16 @@
 
 #include "testing/cuda_support.h"
 
-BOOST_AUTO_TEST_SUITE(test_cuda_tags)
+struct Cube {
+  const Cloud cloud = make_cloud("cube", 6000);
+  const Parameters parameters = make_parameters(.02, 40);
+};
+
+BOOST_FIXTURE_TEST_SUITE(test_cuda_tags, Cube)
 
 using CGAL::Tandem::Cuda_if_available_tag;
 
-void test_if_available(const Cloud& cloud, const Parameters& parameters)
+BOOST_AUTO_TEST_CASE(if_available)
 {
   const std::string expected = CGAL::Tandem::cuda_available()
                                  ? "cuda"
@@ -24,7 +29,7 @@ void test_if_available(const Cloud& cloud, const Parameters& parameters)
 }
 
 // Step by step, as the loop of a caller has it.
-void test_steps(const Cloud& cloud, const Parameters& parameters)
+BOOST_AUTO_TEST_CASE(steps)
 {
   using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_if_available_tag>;
   CGAL::Tandem::Planar_shape_detection_3<Traits> detection(
@@ -35,7 +40,7 @@ void test_steps(const Cloud& cloud, const Parameters& parameters)
   check_same(detection.shapes(), detect(cloud, parameters), "step by step");
 }
 
-void test_report()
+BOOST_AUTO_TEST_CASE(report_of_device)
 {
   const std::string report = CGAL::Tandem::cuda_device_report();
 #ifdef CGAL_TANDEM_USE_CUDA
@@ -47,18 +52,13 @@ void test_report()
   CHECK_AT(report.find(words) != std::string::npos, report);
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  const Cloud cloud = make_cloud("cube", 6000);
-  const Parameters parameters = make_parameters(.02, 40);
-  test_if_available(cloud, parameters);
-  test_steps(cloud, parameters);
-  test_report();
 #ifdef CGAL_TANDEM_USE_CUDA
+BOOST_AUTO_TEST_CASE(without_device)
+{
   if(!CGAL::Tandem::cuda_available())
     check_throws<std::runtime_error>([&] { detect<CGAL::Tandem::Cuda_tag>(cloud, parameters); },
                                      {"Cuda_tag", "no CUDA device", "Cuda_if_available_tag"}, __LINE__);
-#endif
 }
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()

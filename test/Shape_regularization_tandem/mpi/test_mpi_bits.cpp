@@ -25,18 +25,14 @@ void test_wall(const Ranks& ranks)
   CHECK_AT(shapes.points(0).size() > 0, c.text(ranks));
 }
 
-#ifdef CGAL_LINKED_WITH_TBB
 void test_threads(const Ranks& ranks)
 {
   std::vector<Dealt_case> cases;
   for(const char* name : {"house", "indoor"})
     cases.push_back({{name, make_cloud(name, 1500), with_cells(make_parameters(.2, 20), 100), Given::nothing},
                      name[0] == 'h' ? Deal::random : Deal::odd});
-  CHECK(sum_over(ranks, compare_with_one<CGAL::Parallel_tag>(ranks, cases)) > 5);
+  CHECK(sum_over(ranks, compare_with_one<CGAL::Parallel_if_available_tag>(ranks, cases)) > 5);
 }
-#else
-void test_threads(const Ranks&) { std::cout << "threads are not tested, there is no TBB" << std::endl; }
-#endif
 
 template <class Normal_map, class Tag>
 using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Normal_map, Tag>;

@@ -3,24 +3,117 @@
 //
 // What goes wrong on one rank ends all of them, with the same exception, and nobody waits: a parameter out of its range,
 // a property map or a callback that throws, memory that is not there. Where the callback of one rank cancels, all have
-// the result of one process that is cancelled there.
+// the result of one process that is cancelled there. A result is refused on all ranks, for the same reason, where one of
+// them has another one.
 //   mpirun -n N test_mpi_failures [few | memory | killed]
 // A choice; or a large cloud in little memory, without a sanitizer; or the last rank is killed: mpirun has to end the others.
 
 #undef NDEBUG
 
+#include "testing/corruptions.h"
 #include "testing/memory_limit.h"
-#include "testing/mpi_failing_rank.h"
+#include "testing/mpi_support.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <CGAL/Point_set_3.h>
 
-#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <functional>
+#include <set>
 
 #include <malloc.h>
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::Callback;
+using Data = Shapes::Data;
+
+// Not of the standard library.
+struct Stop {};
+
+// The exception of f() by type and message. The types are those that other ranks can throw again.
+template <class F>
+std::string failure_of(F f)
+{
+  try {
+    f();
+  } catch(const std::invalid_argument& e) {
+    return std::string("invalid_argument: ") + e.what();
+  } catch(const std::logic_error& e) {
+    return std::string("logic_error: ") + e.what();
+  } catch(const std::range_error& e) {
+    return std::string("range_error: ") + e.what();
+  } catch(const std::runtime_error& e) {
+    return std::string("runtime_error: ") + e.what();
+  } catch(const std::bad_alloc&) {
+    return "bad_alloc";
+  } catch(const Stop&) {
+    return "Stop";
+  }
+  return "nothing";
+}
+
+// The same text on all ranks, which has the words.
+void check_failure(const Ranks& ranks, const std::string& text, std::initializer_list<const char*> words,
+                   const std::string& name)
+{
+  for(const char* word : words)
+    CHECK_AT(text.find(word) != std::string::npos, name + ": " + word + " is not in: " + text);
+  const Words letters(text.begin(), text.end()), all = gather(ranks, letters, 0);
+  Words expected;
+  for(int r = 0; r < ranks.size() && ranks.rank() == 0; ++r)
+    expected.insert(expected.end(), letters.begin(), letters.end());
+  CHECK_AT(all == expected, name + ": the ranks do not agree on: " + text);
+}
+
+Dealt_case make_case()
+{
+  Parameters parameters = make_parameters(.01, 30);
+  parameters.cell_size = 64;
+  return {{"cube", to_cloud(scenes::make_scene("cube", scene_options(1200, .001, .1))), parameters, Given::normals},
+          Deal::random};
+}
+
+std::set<int> first_and_last(const Ranks& ranks) { return {0, ranks.size() - 1}; }
+
+// The ranks are as they were before.
+void check_alive(const Ranks& ranks) { CHECK(sum_over(ranks, compare_with_one(ranks, {make_case()})) >= 6); }
+
+template <class List>
+auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
+{
+  return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(
+    part, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks));
+}
+
+// On one rank it fails at one of the points.
+struct Failing_map {
+  using key_type = Cloud::value_type;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  friend reference get(const Failing_map& map, const key_type& item)
+  {
+    if(&item == map.failing)
+      map.fail();
+    return item.first;
+  }
+
+  const key_type* failing;
+  std::function<void()> fail;
+};
+
+template <class F>
+std::string failure_with_callback(const Ranks& ranks, int calling, F callback)
+{
+  const Callback none, own = callback;
+  const Cloud part = make_case().part(ranks);
+  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == calling ? own : none);
+  return failure_of([&] { detect_with(ranks, part, list); });
+}
 
 void test_parameters(const Ranks& ranks)
 {
@@ -219,12 +312,6 @@ void be_killed(const Ranks& ranks)
   std::cout << "a rank has gone on" << std::endl;
 }
 
-long minimum_over(const Ranks& ranks, long own)
-{
-  MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_LONG, MPI_MIN, ranks);
-  return own;
-}
-
 // Whatever table one rank cannot have.
 void test_lost_tables(const Ranks& ranks, int stride)
 {
@@ -233,7 +320,8 @@ void test_lost_tables(const Ranks& ranks, int stride)
   constexpr long all = 1000000;
   tables_left() = all;
   detect_with(ranks, part, list);
-  const long tables = minimum_over(ranks, all - tables_left().exchange(-1));
+  long tables = all - tables_left().exchange(-1);
+  MPI_Allreduce(MPI_IN_PLACE, &tables, 1, MPI_LONG, MPI_MIN, ranks);
   CHECK_AT(tables > 200, std::to_string(tables) + " tables");
   for(long lost = 0; lost < tables; lost += 1 + stride * tables / 40)
     for(const int bad : first_and_last(ranks)) {
@@ -273,6 +361,110 @@ void test_bounded_memory(const Ranks& ranks)
   check_same_on_ranks(ranks, own, &expected, 0, "bounded memory");
 }
 
+class Checked_result {
+  auto list() const { return np::point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks_); }
+
+public:
+  // Each rank has every so many points of the cloud.
+  explicit Checked_result(const Ranks& ranks) : ranks_(ranks)
+  {
+    const Cloud cloud = make_case().cloud;
+    for(std::size_t i = std::size_t(ranks.rank()); i < cloud.size(); i += std::size_t(ranks.size()))
+      part_.push_back(cloud[i]);
+    shapes_ =
+      CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part_, list().settings(make_parameters(.01, 30)));
+  }
+
+  const Shapes& shapes() const { return shapes_; }
+  const Ranks& ranks() const { return ranks_; }
+  bool is_last() const { return ranks_.rank() == ranks_.size() - 1; }
+
+  // Empty if the ranks accept the data; the same on all of them.
+  std::string reason(const Data& data, const std::string& name) const
+  {
+    std::string why;
+    const std::string failure = failure_of([&] { CGAL::Tandem::is_valid_result(part_, Shapes(data), list(), &why); });
+    check_failure(ranks_, failure, {"nothing"}, name);
+    check_failure(ranks_, why, {}, name);
+    return why;
+  }
+
+private:
+  const Ranks& ranks_;
+  Cloud part_;
+  Shapes shapes_;
+};
+
+void test_reasons(const Checked_result& result)
+{
+  const auto check = [&](const std::string& name, const char* word, auto corrupt) {
+    Data data = result.shapes().data();
+    if(result.is_last())
+      corrupt(data);
+    const std::string why = result.reason(data, name);
+    CHECK_AT(why.find(word) != std::string::npos, name + " is refused because: " + why);
+  };
+  if(result.ranks().size() > 1) { // what one rank cannot see by itself
+    check("another plane", "different",
+          [](Data& d) { d.coefficients[0][3] = std::nextafter(d.coefficients[0][3], 9.); });
+    check("other parameters", "different", [](Data& d) { ++d.parameters.k_neighbors; });
+  }
+  check("a point of no shape", "out of range",
+        [](Data& d) { change_table(d.shape_of, [](std::vector<std::int32_t>& labels) { labels[0] = 1000; }); });
+  check("a point freed", "size", [](Data& d) {
+    change_table(d.shape_of, [](std::vector<std::int32_t>& labels) {
+      *std::find_if(labels.begin(), labels.end(), [](std::int32_t s) { return s >= 0; }) = -1;
+    });
+  });
+}
+
+// Fields of the last rank: all but statistics and uncertainties, which are not checked.
+void test_each_field(const Checked_result& result)
+{
+  std::size_t checked = 0, refused = 0;
+  enum : int { none, other, promised };
+  for(std::size_t number = 0;; ++number) {
+    Data data = result.shapes().data(), corrupted = data;
+    corrupted.points = result.shapes().point_groups();
+    const Corruption corruption(corrupted, number);
+    const std::string field = corruption.is_made() ? corruption.field() : "";
+    int kind = field.empty()                                                       ? none
+               : field.find("statistics.") == 0 || field.find("uncertainty[") == 0 ? other
+                                                                                   : promised;
+    MPI_Bcast(&kind, 1, MPI_INT, result.ranks().size() - 1, result.ranks());
+    if(kind == none)
+      break;
+    if(result.is_last())
+      data = corrupted;
+    if(kind == promised) {
+      ++checked;
+      refused += !result.reason(data, "corruption " + std::to_string(number)).empty();
+    }
+  }
+  CHECK_AT(checked > 200 && refused > checked * 7 / 10, std::to_string(refused) + " of " + std::to_string(checked));
+}
+
+// Other results are accepted: of estimated normals, where only the last rank has points, and of no points at all.
+void test_other_results(const Ranks& ranks)
+{
+  Cloud cloud = make_case().cloud;
+  cloud.emplace_back(Kernel::Point_3(NAN, 0, 0), Kernel::Vector_3(0, 0, 1));
+  const auto list = np::point_map(First<Kernel>()).communicator(ranks);
+  for(const std::size_t size : {cloud.size(), std::size_t(0)}) {
+    const std::ptrdiff_t own = ranks.rank() == ranks.size() - 1 ? std::ptrdiff_t(size) : 0;
+    const Cloud part(cloud.begin(), cloud.begin() + own);
+    const auto check = [&](const auto& maps) {
+      const Shapes shapes =
+        CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part, maps.settings(make_parameters(.01, 30)));
+      CHECK(shapes.number_of_shapes() >= (size > 0 ? 6 : 0));
+      std::string why;
+      CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, maps, &why), why);
+    };
+    check(list);
+    check(list.normal_map(Second<Kernel>()));
+  }
+}
+
 int main(int argc, char** argv)
 {
   check_throws<std::logic_error>([] { detect<Mpi_tag<CGAL::Sequential_tag>>(Cloud(), Parameters()); },
@@ -282,19 +474,24 @@ int main(int argc, char** argv)
   const std::string what = argc > 1 ? argv[1] : "";
   if(what == "killed")
     be_killed(world);
-  if(what == "memory") {
+  else if(what == "memory")
     test_bounded_memory(world);
-    return report_on(world);
+  else {
+    const int stride = what == "few" ? 7 : 1;
+    test_parameters(world);
+    test_different_parameters(world);
+    test_normals_of_some_ranks(world);
+    test_maps(world);
+    test_extent(world);
+    test_lost_tables(world, stride);
+    test_throwing_callbacks(world, stride);
+    test_class_after_exception(world);
+    test_cancellation(world, stride);
+    const Checked_result result(world);
+    CHECK(result.reason(result.shapes().data(), "the result").empty());
+    test_reasons(result);
+    test_each_field(result);
+    test_other_results(world);
   }
-  const int stride = what == "few" ? 7 : 1;
-  test_parameters(world);
-  test_different_parameters(world);
-  test_normals_of_some_ranks(world);
-  test_maps(world);
-  test_extent(world);
-  test_lost_tables(world, stride);
-  test_throwing_callbacks(world, stride);
-  test_class_after_exception(world);
-  test_cancellation(world, stride);
   return report_on(world);
 }

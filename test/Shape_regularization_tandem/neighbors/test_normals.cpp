@@ -15,21 +15,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_normals)
 
 using namespace CGAL::Tandem::internal;
 using namespace turned_box;
-
-namespace {
-
-void expect(bool ok, const char* test, const char* what, double index, double value)
-{
-  CHECK_AT(ok,
-           std::string(test) + ": " + what + ", index " + std::to_string(index) + ", value " + std::to_string(value));
-}
 
 constexpr double epsilon = 1024; // in steps of the grid
 
@@ -111,51 +103,50 @@ struct Quality {
   double margin_25, margin_10;
 };
 
-void test_quality(const Quality& q)
+BOOST_AUTO_TEST_CASE(quality)
 {
-  std::vector<Item> items = make_box(q.options);
-  sort_along_curve(items);
-  const std::vector<Grid_point> points = with_normals<Sequential_backend>(points_of(items));
-  const std::vector<Grid_point> peer = with_pca_normals(points_of(items));
-  const double good_25 = good_share(items, points, cos_25), good_10 = good_share(items, points, cos_10);
-  const double peer_25 = good_share(items, peer, cos_25), peer_10 = good_share(items, peer, cos_10);
-  std::printf("%s: within 25 / 10 degrees %.4f %.4f, plane of 20 neighbors %.4f %.4f\n", q.name, good_25, good_10,
-              peer_25, peer_10);
-  expect(good_25 >= q.minimum_25, q.name, "share within 25 degrees", 0, good_25);
-  expect(good_10 >= q.minimum_10, q.name, "share within 10 degrees", 0, good_10);
-  expect(good_25 >= peer_25 + q.margin_25, q.name, "gain within 25 degrees", 0, good_25 - peer_25);
-  expect(good_10 >= peer_10 + q.margin_10, q.name, "gain within 10 degrees", 0, good_10 - peer_10);
+  for(const Quality& q : {Quality{"clean", {20000, 0, 0}, .99, .99, .03, .08},
+                          Quality{"little noise", {20000, 2000, 64}, .98, .98, .03, .05},
+                          Quality{"noise", {40000, 10000, 300}, .95, .94, .04, .4}}) {
+    std::vector<Item> items = make_box(q.options);
+    sort_along_curve(items);
+    const std::vector<Grid_point> points = with_normals<Sequential_backend>(points_of(items)),
+                                  peer = with_pca_normals(points_of(items));
+    const auto check = [&](double minimum_cosine, double minimum, double margin) {
+      const double good = good_share(items, points, minimum_cosine), peers = good_share(items, peer, minimum_cosine);
+      CHECK_AT(good >= minimum && good >= peers + margin, q.name + (": " + std::to_string(good)) +
+                                                            " of the normals are good, by the plane of 20 neighbors " +
+                                                            std::to_string(peers));
+    };
+    check(cos_25, q.minimum_25, q.margin_25);
+    check(cos_10, q.minimum_10, q.margin_10);
+  }
 }
 
 // Clutter off a face by more than the noise must not look like the face.
-void test_clutter()
+BOOST_AUTO_TEST_CASE(clutter)
 {
   const std::int64_t sigma = 256;
   std::vector<Item> items = make_box({30000, 30000, sigma});
   sort_along_curve(items);
   const std::vector<Grid_point> points = with_normals<Sequential_backend>(points_of(items));
-  const std::vector<Grid_point> peer = with_pca_normals(points_of(items));
   const double outside = aligned_clutter(items, points, 3.5 * sigma, 7 * sigma);
-  std::printf("clutter from 3.5 to 7 sigma off a face, aligned with it: %.3f, by the plane of 20 neighbors %.3f\n",
-              outside, aligned_clutter(items, peer, 3.5 * sigma, 7 * sigma));
-  expect(outside < .25, "clutter", "aligned share of clutter off a face", 0, outside);
-  expect(good_share(items, points, cos_25) > .93, "clutter", "face points within 25 degrees", 0,
-         good_share(items, points, cos_25));
+  CHECK_AT(outside < .25, std::to_string(outside));
+  CHECK_AT(good_share(items, points, cos_25) > .93, std::to_string(good_share(items, points, cos_25)));
 }
 
-void expect_no_normals(const char* test, const std::vector<Grid_point>& points)
+void check_no_normals(const char* test, const std::vector<Grid_point>& points)
 {
-  const std::vector<Grid_point> r = with_normals<Sequential_backend>(points);
-  for(std::size_t i = 0; i < r.size(); ++i)
-    expect(r[i].normal == no_normal, test, "a normal out of nothing", double(i), r[i].normal);
+  for(const Grid_point& p : with_normals<Sequential_backend>(points))
+    CHECK_AT(p.normal == no_normal, test + (": a normal out of nothing, " + std::to_string(p.normal)));
 }
 
-void test_degenerate()
+BOOST_AUTO_TEST_CASE(degenerate_points)
 {
-  expect_no_normals("empty", {});
-  expect_no_normals("one point", {{5, -7, 9, 0}});
-  expect_no_normals("two points", {{5, -7, 9, 0}, {2000, 9, 4, 0}});
-  expect_no_normals("all equal", std::vector<Grid_point>(200, Grid_point{1, 2, 3, 0}));
+  check_no_normals("empty", {});
+  check_no_normals("one point", {{5, -7, 9, 0}});
+  check_no_normals("two points", {{5, -7, 9, 0}, {2000, 9, 4, 0}});
+  check_no_normals("all equal", std::vector<Grid_point>(200, Grid_point{1, 2, 3, 0}));
   std::vector<Grid_point> line, rounded_line, far_pair;
   for(int i = 0; i < 300; ++i) {
     line.push_back({i * 3000, i * -2000, i * 1000, 0});
@@ -163,13 +154,13 @@ void test_degenerate()
     const std::int32_t end = i % 2 ? (1 << 29) - 1 : -(1 << 29);
     far_pair.push_back({end, end, end, 0});
   }
-  expect_no_normals("line", line);
-  expect_no_normals("line, rounded", rounded_line);
-  expect_no_normals("two places", far_pair);
+  check_no_normals("line", line);
+  check_no_normals("line, rounded", rounded_line);
+  check_no_normals("two places", far_pair);
 }
 
 // Flat grids: every normal is exact, also where neighbors are many, few, or far apart.
-void test_flat()
+BOOST_AUTO_TEST_CASE(flat_grids)
 {
   for(const std::int32_t spacing : {1, 1000, 1 << 22})
     for(const int k : {3, 6, 12, 20}) {
@@ -179,17 +170,17 @@ void test_flat()
           items.push_back({{i * spacing, (2 * j + (i & 1)) * spacing, 2 * i * spacing, 0}, 0, -1});
       sort_along_curve(items);
       const std::vector<Grid_point> r = with_normals<Sequential_backend>(points_of(items), k);
-      for(std::size_t i = 0; i < r.size(); ++i) {
-        const Int_vector n = decode_normal(r[i].normal);
+      for(const Grid_point& p : r) {
+        const Int_vector n = decode_normal(p.normal);
         const Vector v = unit({double(n.x), double(n.y), double(n.z)});
         const double sine = length(cross(v, unit({2, 0, -1})));
-        expect(length(v) > 0 && sine < 2e-4, "flat", "sine", double(i), sine);
+        CHECK_AT(length(v) > 0 && sine < 2e-4, std::to_string(sine));
       }
     }
 }
 
 // thickness() and plane_normal() against Jacobi, from round to flat to thin.
-void test_solver()
+BOOST_AUTO_TEST_CASE(solver)
 {
   Random random(5);
   for(int i = 0; i < 20000; ++i) {
@@ -211,14 +202,13 @@ void test_solver()
     if(value[1] < 1 || value[1] < 4e-6 * value[2])
       continue;
     const double allowed = 2e-6 * value[2];
-    expect(std::fabs(t.smallest - value[0]) <= allowed + 1e-3 * value[0], "solver", "smallest", i,
-           t.smallest / value[0]);
-    expect(std::fabs(t.middle - value[1]) <= allowed + 1e-2 * value[1], "solver", "middle", i, t.middle / value[1]);
+    CHECK_AT(std::fabs(t.smallest - value[0]) <= allowed + 1e-3 * value[0], std::to_string(i));
+    CHECK_AT(std::fabs(t.middle - value[1]) <= allowed + 1e-2 * value[1], std::to_string(i));
     const Float_vector n = plane_normal(h, t.smallest);
     const Vector v = unit({n.x, n.y, n.z});
     if(value[1] - value[0] < .01 * value[1] + 100 * allowed)
       continue;
-    expect(std::fabs(dot(v, e.vector[0])) > 1 - 1e-3, "solver", "normal", i, std::fabs(dot(v, e.vector[0])));
+    CHECK_AT(std::fabs(dot(v, e.vector[0])) > 1 - 1e-3, std::to_string(i));
   }
 }
 
@@ -230,31 +220,17 @@ std::uint64_t hash_of(const std::vector<Grid_point>& points)
   return h;
 }
 
-void test_same_bits()
+BOOST_AUTO_TEST_CASE(same_bits)
 {
   std::vector<Item> items = make_box({20000, 4000, 256});
   sort_along_curve(items);
   const std::vector<Grid_point> sequential = with_normals<Sequential_backend>(points_of(items));
   const std::vector<Grid_point> parallel = with_normals<Tbb_backend>(points_of(items));
   for(std::size_t i = 0; i < items.size(); ++i)
-    expect(sequential[i].normal == parallel[i].normal, "same bits", "back ends differ", double(i), parallel[i].normal);
+    CHECK_AT(sequential[i].normal == parallel[i].normal, "back ends differ at " + std::to_string(i));
   // Changes with the method; must not change with the compiler, its options or the machine.
   const std::uint64_t expected = 0x667ecc6034502174u;
   check_equal(hash_of(sequential), expected, "hash");
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  test_solver();
-  test_flat();
-  test_degenerate();
-  test_quality({"clean", {20000, 0, 0}, .99, .99, .03, .08});
-  test_quality({"little noise", {20000, 2000, 64}, .98, .98, .03, .05});
-  test_quality({"noise", {40000, 10000, 300}, .95, .94, .04, .4});
-  test_clutter();
-  test_same_bits();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

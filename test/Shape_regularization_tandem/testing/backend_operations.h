@@ -84,7 +84,7 @@ public:
   // What is wrong.
   std::vector<std::string> run()
   {
-    for(std::uint32_t n : {0u, 1u, 31u, 1023u, 1024u, 1025u, 16385u, 32768u, 32769u, 70001u, 300000u}) {
+    for(std::uint32_t n : {0u, 1u, 1023u, 1024u, 1025u, 32768u, 32769u, 300000u}) {
       test_loops(n);
       for(std::uint32_t step : {1u, 3u, 20000u, 400000u}) {
         test_compact(n, step);

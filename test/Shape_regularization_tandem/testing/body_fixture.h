@@ -257,21 +257,6 @@ void on_fixtures(F f)
     on_body_backends([&](auto backend, const std::string& name) { f(backend, name + ", " + fixture.name, fixture); });
 }
 
-// Bodies<Backend>(backend, name, fixture).run() where all points have one tolerance.
-template <template <class> class Bodies, class Backend>
-void test_on(Backend backend)
-{
-  for(const Fixture& f : fixtures())
-    if(f.level.empty())
-      Bodies<Backend>(backend, std::string(Backend::name()) + ", " + f.name, f).run();
-}
-
-template <template <class> class Bodies>
-void test_on_all_backends()
-{
-  on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend); });
-}
-
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

@@ -6,24 +6,20 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CUDA_SUPPORT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CUDA_SUPPORT_H
 
-#include "test_support.h"
+#include "border_clouds.h"
 
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 
 using CGAL::Tandem::Cuda_tag;
 
-inline bool has_device()
+// Suites that need a device are skipped without one.
+inline boost::test_tools::assertion_result has_device(boost::unit_test::test_unit_id = 0)
 {
-  if(CGAL::Tandem::cuda_available())
-    return true;
-  skip(CGAL::Tandem::cuda_device_report());
-  return false;
-}
-
-inline Cloud make_cloud(const std::string& scene, std::size_t points, double noise = .001, double outliers = .1)
-{
-  return to_cloud(scenes::make_scene(scene, scene_options(points, noise, outliers)));
+  const bool has_device = CGAL::Tandem::cuda_available();
+  if(!has_device)
+    skip(CGAL::Tandem::cuda_device_report());
+  return has_device;
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CUDA_SUPPORT_H

@@ -6,9 +6,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MPI_CASES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MPI_CASES_H
 
+#include "border_clouds.h"
 #include "mpi_support.h"
-
-#include <limits>
 
 const Deal deals[] = {Deal::blocks, Deal::random, Deal::reversed};
 
@@ -16,11 +15,6 @@ inline Parameters with_cells(Parameters parameters, std::size_t cell_size)
 {
   parameters.cell_size = cell_size;
   return parameters;
-}
-
-inline Cloud make_cloud(const std::string& scene, std::size_t points)
-{
-  return to_cloud(scenes::make_scene(scene, scene_options(points, .001, .1)));
 }
 
 // Every scene, with and without normals. Options change from scene to scene, and the points are elsewhere for each number
@@ -53,14 +47,6 @@ inline std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t numb
   return cases;
 }
 
-inline Cloud repeated(std::size_t n) { return Cloud(n, {Kernel::Point_3(1, 2, 3), Kernel::Vector_3(0, 0, 1)}); }
-
-inline Cloud joined(Cloud a, const Cloud& b)
-{
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 // One wall, so long that it has parts on all ranks.
 inline Cloud wall(std::size_t n, double length)
 {
@@ -81,25 +67,6 @@ inline Cloud lattice(int n)
       cloud.emplace_back(Kernel::Point_3(i * 0x1p-6, j * 0x1p-6, 0), Kernel::Vector_3(0, 0, 1));
       cloud.emplace_back(Kernel::Point_3(0, i * 0x1p-6, (j + 1) * 0x1p-6), Kernel::Vector_3(1, 0, 0));
     }
-  return cloud;
-}
-
-inline Cloud moved(Cloud cloud, double x, double y, double z)
-{
-  for(auto& item : cloud)
-    item.first = item.first + Kernel::Vector_3(x, y, z);
-  return cloud;
-}
-
-// Only among the first points: in blocks, those of the first rank.
-inline Cloud spoiled(Cloud cloud, std::size_t n)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  for(std::size_t i = 0; i < n; ++i)
-    if(i % 2 == 0)
-      cloud[i].first = Kernel::Point_3(0, i % 4 == 0 ? nan : infinite, 0);
-    else
-      cloud[i].second = Kernel::Vector_3(0, i % 3 == 0 ? nan : 0, 0);
   return cloud;
 }
 

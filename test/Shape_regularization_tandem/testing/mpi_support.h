@@ -59,27 +59,9 @@ struct Dealt_case : Random_case {
     scenes::Random random(n);
     std::vector<std::vector<std::size_t>> list(size);
     for(std::size_t i = 0; i < n; ++i) {
-      const std::size_t block = i * size / n;
-      switch(deal) {
-      case Deal::blocks:
-        list[block].push_back(i);
-        break;
-      case Deal::random:
-        list[random.bits() % size].push_back(i);
-        break;
-      case Deal::reversed:
-        list[block].push_back(n - 1 - i);
-        break;
-      case Deal::cyclic:
-        list[i % size].push_back(i);
-        break;
-      case Deal::last:
-        list[size - 1].push_back(i);
-        break;
-      case Deal::odd:
-        list[(std::min)(block | 1, size - 1)].push_back(i);
-        break;
-      }
+      const std::size_t block = i * size / n, any = random.bits() % size;
+      const std::size_t rank[] = {block, any, block, i % size, size - 1, (std::min)(block | 1, size - 1)}; // by deal
+      list[rank[int(deal)]].push_back(deal == Deal::reversed ? n - 1 - i : i);
     }
     return list;
   }

@@ -56,158 +56,113 @@ inline void sort_along_curve(Grid_cloud& cloud)
   cloud.swap(sorted);
 }
 
+// Of points that fill the space in different ways, of ties and of duplicates.
+inline std::vector<std::pair<std::string, Grid_cloud>> clouds_of_all_kinds()
+{
+  Twister random(1);
+  const auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
+  const std::size_t n = 1500;
+  std::vector<std::pair<std::string, Grid_cloud>> clouds;
+  const auto add = [&](const std::string& name, std::size_t size, const std::function<Grid_point(std::size_t)>& point) {
+    clouds.emplace_back(name, make_cloud(size, point));
+  };
+  add("uniform, whole range", n, [&](std::size_t) { return Grid_point{any(limit), any(limit), any(limit), 0}; });
+  add("uniform, small", n, [&](std::size_t) { return Grid_point{any(3000), any(3000), any(3000), 0}; });
+  add("plane", n, [&](std::size_t) {
+    const std::int32_t x = any(1 << 20), y = any(1 << 20);
+    return Grid_point{x, y, x / 2 - y / 3, 0};
+  });
+  add("line", n, [&](std::size_t) {
+    const std::int32_t x = any(limit / 2);
+    return Grid_point{x, -x, x / 2, 0};
+  });
+  add("clusters", n, [&](std::size_t i) {
+    const std::int32_t c = std::int32_t(i % 7) * (limit / 8), r = 1 << (2 * (i % 7));
+    return Grid_point{c + any(r), -c + any(r), any(r), 0};
+  });
+  add("two far clusters", n, [&](std::size_t i) {
+    const std::int32_t c = i % 2 ? limit - 100 : 100 - limit;
+    return Grid_point{c + any(50), c + any(50), c + any(50), 0};
+  });
+  add("outliers", n, [&](std::size_t i) {
+    const std::int32_t r = i % 9 ? 1 << 18 : limit;
+    return Grid_point{any(r), any(r), i % 9 ? 0 : any(r), 0};
+  });
+  add("a small cluster and one far point", 64, [&](std::size_t i) {
+    return i == 31 ? Grid_point{limit, limit, limit, 0} : Grid_point{any(5) - limit, any(5) - limit, any(5) - limit, 0};
+  });
+  for(std::int32_t step : {1, 1 << 22, 1 << 25})
+    add("grid of step " + std::to_string(step), 11 * 11 * 11, [&](std::size_t i) {
+      const std::int32_t c = std::int32_t(i);
+      return Grid_point{(c % 11 - 5) * step, (c / 11 % 11 - 5) * step, (c / 121 - 5) * step, 0};
+    });
+  add("all equal", 1000, [&](std::size_t) { return Grid_point{limit, -limit, 7, 0}; });
+  add("two values", 1000, [&](std::size_t i) { return Grid_point{i % 3 ? limit : -limit, 0, 0, 0}; });
+  add("each point 20 times", 1000, [&](std::size_t i) {
+    const std::int32_t c = std::int32_t(i / 20);
+    return Grid_point{c * c * 1000, c * 77, -c, 0};
+  });
+  add("half of the points equal", n, [&](std::size_t i) {
+    return i % 2 ? Grid_point{0, 0, 0, 0} : Grid_point{any(100000), any(100000), any(100000), 0};
+  });
+  // Beyond 2^24 float cannot tell these apart; the integers can.
+  add("far apart, equal up to one step", 600, [&](std::size_t i) {
+    return Grid_point{i % 2 ? (1 << 28) + any(2) : -(1 << 28) + any(2), any(2), any(2), 0};
+  });
+  return clouds;
+}
+
+// A search that looks at every pair would not come to an end here.
+inline std::vector<std::pair<std::string, Grid_cloud>> hard_clouds()
+{
+  Twister random(4);
+  const auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
+  const auto on_plane = [&] { return Grid_point{any(1 << 20), any(1 << 20), 0, 0}; };
+  const auto outlier = [&] { return Grid_point{any(limit), any(limit), any(limit), 0}; };
+  const Grid_point origin = {0, 0, 0, 0};
+  const std::size_t n = 100000;
+  return {{"two equal heaps", make_cloud(n,
+                                         [](std::size_t i) {
+                                           return Grid_point{i % 2 ? limit : -limit, 2, 1, 0};
+                                         })},
+          {"half of a plane equal", make_cloud(n, [&](std::size_t i) { return i % 2 ? origin : on_plane(); })},
+          {"a third outliers", make_cloud(n, [&](std::size_t i) { return i % 3 ? on_plane() : outlier(); })},
+          {"few outliers", make_cloud(n, [&](std::size_t i) { return i % 100 ? on_plane() : outlier(); })}};
+}
+
 // check(name, cloud, k, stride) for each cloud; of the large ones, it need look at every
 // stride-th point only.
 template <class Check>
-class Neighbor_clouds {
-public:
-  explicit Neighbor_clouds(Check check) : check_(check) {}
-
-  void run() const
-  {
-    test_few_points();
-    test_ties();
-    test_ties_of_subtrees();
-    test_distributions();
-    test_hard_clouds();
-  }
-
-private:
-  void check_all_k(const std::string& name, Grid_cloud cloud) const
-  {
-    check_(name + ", unsorted", cloud, 12, 17);
-    sort_along_curve(cloud);
-    for(int k : {3, 8, 12, 16, 20, 33, 64})
-      check_(name, cloud, k, 3);
-  }
-
-  void test_distributions() const
-  {
-    Twister random(1);
-    auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
-    const std::size_t n = 1500;
-    check_all_k("uniform, whole range", make_cloud(n, [&](std::size_t) {
-                  return Grid_point{any(limit), any(limit), any(limit), 0};
-                }));
-    check_all_k("uniform, small", make_cloud(n, [&](std::size_t) {
-                  return Grid_point{any(3000), any(3000), any(3000), 0};
-                }));
-    check_all_k("plane", make_cloud(n, [&](std::size_t) {
-                  const std::int32_t x = any(1 << 20), y = any(1 << 20);
-                  return Grid_point{x, y, x / 2 - y / 3, 0};
-                }));
-    check_all_k("line", make_cloud(n, [&](std::size_t) {
-                  const std::int32_t x = any(limit / 2);
-                  return Grid_point{x, -x, x / 2, 0};
-                }));
-    check_all_k("clusters", make_cloud(n, [&](std::size_t i) {
-                  const std::int32_t c = std::int32_t(i % 7) * (limit / 8), r = 1 << (2 * (i % 7));
-                  return Grid_point{c + any(r), -c + any(r), any(r), 0};
-                }));
-    check_all_k("two far clusters", make_cloud(n, [&](std::size_t i) {
-                  const std::int32_t c = i % 2 ? limit - 100 : 100 - limit;
-                  return Grid_point{c + any(50), c + any(50), c + any(50), 0};
-                }));
-    check_all_k("outliers", make_cloud(n, [&](std::size_t i) {
-                  const std::int32_t r = i % 9 ? 1 << 18 : limit;
-                  return Grid_point{any(r), any(r), i % 9 ? 0 : any(r), 0};
-                }));
-    check_all_k("a small cluster and one far point", make_cloud(64, [&](std::size_t i) {
-                  return i == 31 ? Grid_point{limit, limit, limit, 0}
-                                 : Grid_point{any(5) - limit, any(5) - limit, any(5) - limit, 0};
-                }));
-  }
-
-  void test_ties() const
-  {
-    Twister random(2);
-    auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
-    const std::int32_t steps[] = {1, 1000, 1 << 22, 1 << 25};
-    for(std::int32_t step : steps)
-      check_all_k("grid of step " + std::to_string(step), make_cloud(11 * 11 * 11, [&](std::size_t i) {
-                    const std::int32_t c = std::int32_t(i);
-                    return Grid_point{(c % 11 - 5) * step, (c / 11 % 11 - 5) * step, (c / 121 - 5) * step, 0};
-                  }));
-    check_all_k("all equal", make_cloud(1000, [&](std::size_t) { return Grid_point{limit, -limit, 7, 0}; }));
-    check_all_k("two values", make_cloud(1000, [&](std::size_t i) {
-                  return Grid_point{i % 3 ? limit : -limit, 0, 0, 0};
-                }));
-    check_all_k("each point 20 times", make_cloud(1000, [&](std::size_t i) {
-                  const std::int32_t c = std::int32_t(i / 20);
-                  return Grid_point{c * c * 1000, c * 77, -c, 0};
-                }));
-    check_all_k("half of the points equal", make_cloud(1500, [&](std::size_t i) {
-                  return i % 2 ? Grid_point{0, 0, 0, 0} : Grid_point{any(100000), any(100000), any(100000), 0};
-                }));
-    // Beyond 2^24 float cannot tell these apart; the integers can.
-    check_all_k("far apart, equal up to one step", make_cloud(600, [&](std::size_t i) {
-                  return Grid_point{i % 2 ? (1 << 28) + any(2) : -(1 << 28) + any(2), any(2), any(2), 0};
-                }));
-  }
-
-  // The three points in the middle have 512 others before and 600 after them, all at
-  // the same distance. Those after are in the same subtree and found first.
-  void test_ties_of_subtrees() const
-  {
-    for(std::int32_t distance : {1, 12345, 1 << 28})
-      check_("ties of subtrees",
-             make_cloud(512 + 3 + 600,
-                        [&](std::size_t i) {
-                          return Grid_point{i < 512 ? distance : i < 515 ? 0 : -distance, 0, 0, 0};
-                        }),
-             12, 1);
-  }
-
-  void test_few_points() const
-  {
-    Twister random(3);
-    for(int k : {3, 8, 12, 33, 64})
-      for(int n : {0, 1, 2, 3, 7, 8, 9, k - 1, k, k + 1, k + 2, 2 * k, 65, 100}) {
-        Grid_cloud cloud = make_cloud(std::size_t(n), [&](std::size_t) {
-          return Grid_point{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, -2, 2), 0};
-        });
-        sort_along_curve(cloud);
-        check_("few points", cloud, k, 1);
-      }
-  }
-
-  // A search that looks at every pair would not come to an end here.
-  void test_hard_clouds() const
-  {
-    Twister random(4);
-    auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
-    auto on_plane = [&](std::size_t) { return Grid_point{any(1 << 20), any(1 << 20), 0, 0}; };
-    auto outlier = [&] { return Grid_point{any(limit), any(limit), any(limit), 0}; };
-    const std::size_t n = 200000;
-    const std::pair<const char*, Grid_cloud> clouds[] = {
-      {"many equal", make_cloud(n,
-                                [&](std::size_t) {
-                                  return Grid_point{3, 2, 1, 0};
-                                })},
-      {"two equal heaps", make_cloud(n,
-                                     [&](std::size_t i) {
-                                       return Grid_point{i % 2 ? limit : -limit, 2, 1, 0};
-                                     })},
-      {"half of a plane equal", make_cloud(n,
-                                           [&](std::size_t i) {
-                                             return i % 2 ? Grid_point{0, 0, 0, 0} : on_plane(i);
-                                           })},
-      {"a third outliers", make_cloud(n, [&](std::size_t i) { return i % 3 ? on_plane(i) : outlier(); })},
-      {"few outliers", make_cloud(n, [&](std::size_t i) { return i % 100 ? on_plane(i) : outlier(); })}};
-    for(const auto& named : clouds) {
-      Grid_cloud cloud = named.second;
-      sort_along_curve(cloud);
-      check_(named.first, cloud, 12, n / 20);
-    }
-  }
-
-  Check check_;
-};
-
-template <class Check>
 void on_neighbor_clouds(Check check)
 {
-  Neighbor_clouds<Check>(check).run();
+  Twister random(3);
+  for(int k : {3, 8, 12, 33, 64})
+    for(int n : {0, 1, 2, 3, 7, 8, 9, k - 1, k, k + 1, k + 2, 2 * k, 65, 100}) {
+      Grid_cloud cloud = make_cloud(std::size_t(n), [&](std::size_t) {
+        return Grid_point{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, -2, 2), 0};
+      });
+      sort_along_curve(cloud);
+      check("few points", cloud, k, 1);
+    }
+  for(auto& [name, cloud] : clouds_of_all_kinds()) {
+    check(name + ", unsorted", cloud, 12, 17);
+    sort_along_curve(cloud);
+    for(int k : {3, 12, 20, 64})
+      check(name, cloud, k, 5);
+  }
+  // The three points in the middle have 512 others before and 600 after them, all at
+  // the same distance. Those after are in the same subtree and found first.
+  for(std::int32_t distance : {1, 12345, 1 << 28})
+    check("ties of subtrees",
+          make_cloud(512 + 3 + 600,
+                     [&](std::size_t i) {
+                       return Grid_point{i < 512 ? distance : i < 515 ? 0 : -distance, 0, 0, 0};
+                     }),
+          12, 1);
+  for(auto& [name, cloud] : hard_clouds()) {
+    sort_along_curve(cloud);
+    check(name, cloud, 12, cloud.size() / 20);
+  }
 }
 
 } // namespace internal
