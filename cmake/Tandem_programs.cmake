@@ -7,6 +7,7 @@
 set(tandem_programs_dir "${CMAKE_CURRENT_LIST_DIR}")
 set(tandem_testing_dir "${CMAKE_CURRENT_LIST_DIR}/../test/Shape_regularization_tandem/testing")
 option(TANDEM_BUILD_MODELS "Build what needs the models: outlines, surfaces and facts" ON)
+option(TANDEM_LONG_TESTS "Build what takes long to compile, too: each header alone, examples beside other packages of CGAL" ON)
 option(TANDEM_WARNINGS_AS_ERRORS "Warnings are errors in the programs of Tandem" ON)
 
 if(NOT TARGET Tandem::tandem)

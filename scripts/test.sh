@@ -38,14 +38,11 @@ run_dev()
   workflow dev
 }
 
-# Of the preset dev, with what only these tests need.
 run_long()
 {
   install help2man nodejs npm chromium dpkg-dev mmdebstrap || echo "not all can be installed: some tests will be skipped"
   scripts/install_playwright.sh build/playwright || echo "playwright-core cannot be installed: clicks are not tested"
-  cmake --preset dev -DTANDEM_PLAYWRIGHT_DIR="$PWD/build/playwright"
-  cmake --build --preset dev
-  ctest --preset long
+  workflow long
 }
 
 run_detector() { workflow detector; }
@@ -101,6 +98,7 @@ run_cuda()
 run_tidy()
 {
   install clang-tidy
+  cmake --preset long
   run-clang-tidy -quiet -p build/dev '/(include|headers)/.*\.cpp$' > build/tidy.log 2>&1 ||
     { cat build/tidy.log; fail "clang-tidy complains"; }
 }
