@@ -7,7 +7,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 
 namespace CGAL {

@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 
 #include <CGAL/Tandem/Coefficients.h>
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>

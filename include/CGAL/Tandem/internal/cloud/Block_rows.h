@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
@@ -107,8 +108,8 @@ private:
 
 template <class Backend>
 struct Block_rows {
-  typename Backend::template Buffer<Block_row> row;
-  typename Backend::template Buffer<Block_entries> of_point;
+  Buffer_of<Backend, Block_row> row;
+  Buffer_of<Backend, Block_entries> of_point;
 
   Block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
     : row(number_of_blocks(cloud.size())), of_point(cloud.size())

@@ -86,7 +86,7 @@ std::vector<Octant> children_of(Backend& backend, const typename Backend::Sort_t
   using Table = typename Backend::Sort_table::View;
   const int level = parents.front().level + 1, bits = 3 * (curve_bits - level);
   const auto octants = to_buffer(backend, parents);
-  typename Backend::template Buffer<std::uint32_t> bounds(9 * parents.size());
+  Buffer_of<Backend, std::uint32_t> bounds(9 * parents.size());
   backend.for_each(bounds.size(), Find_octants<Table>{order.view(), octants.data(), bits, bounds.data()});
   const std::vector<std::uint32_t> bound = to_vector(backend, bounds);
   std::vector<Octant> children;

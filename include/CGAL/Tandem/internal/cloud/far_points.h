@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_FAR_POINTS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_FAR_POINTS_H
 
-#include <CGAL/Tandem/internal/base/ordered_bits.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <algorithm>

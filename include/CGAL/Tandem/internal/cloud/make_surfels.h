@@ -116,7 +116,7 @@ struct Gather_points {
 // become those of surfels.
 template <class Backend>
 void make_surfels(Backend& backend, const typename Backend::Sort_table& sorted, Sorted_cloud<Backend>& cloud,
-                  typename Backend::template Buffer<Range>& cells)
+                  Buffer_of<Backend, Range>& cells)
 {
   using Table = typename Backend::Sort_table::View;
   const std::size_t n = cloud.all_points.size();

@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/types.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
@@ -323,7 +322,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Unsorted_p
   const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
   if(place.size() == 0)
     return order;
-  typename Backend::template Buffer<Tied_point> buffer(place.size());
+  Buffer_of<Backend, Tied_point> buffer(place.size());
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), points.point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied = to_vector(backend, buffer);
   sort_tied(backend, tied, ties);

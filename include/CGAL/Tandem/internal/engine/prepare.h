@@ -12,8 +12,7 @@
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
-#include <CGAL/Tandem/internal/engine/sort_points.h>
-#include <CGAL/Tandem/internal/growth/find_border.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>

@@ -7,7 +7,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
 
-#include <CGAL/Tandem/internal/backend/Host_view.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Union_find.h>

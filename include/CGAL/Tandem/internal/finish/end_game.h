@@ -11,8 +11,6 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
-#include <CGAL/Tandem/internal/finish/large_components.h>
-#include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
@@ -46,7 +44,7 @@ template <class Backend>
 void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
   const std::size_t n = points.cloud.size();
-  typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
+  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
   auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
   const auto size = component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), seams);
   const Labels_view labels = points.change_labels(true); // lists may have shapes without points
@@ -65,7 +63,7 @@ struct Round_plane {
     if(!shape[id].is_live())
       return;
     plane[id] = rounded(shape[id].plane);
-    shape[id].history.set_checked(shape[id].plane);
+    shape[id].history.checked = shape[id].plane;
   }
 };
 

@@ -69,13 +69,13 @@ public:
   public:
     Detection()
     {
-      std::lock_guard<std::mutex> lock(mutex());
+      std::lock_guard<std::mutex> lock(state().mutex);
       if(state().detections++ == 0)
         state().peak = state().used;
     }
     ~Detection()
     {
-      std::lock_guard<std::mutex> lock(mutex());
+      std::lock_guard<std::mutex> lock(state().mutex);
       if(--state().detections == 0)
         free_if([](const Block& block) { return !block.is_for_next_call; });
     }
@@ -86,7 +86,7 @@ public:
   // A kept block, or memory of the system.
   static Block allocate(std::size_t bytes)
   {
-    std::unique_lock<std::mutex> lock(mutex());
+    std::unique_lock<std::mutex> lock(state().mutex);
     Block block = take(bytes);
     count_in_use(block.memory != nullptr ? block.bytes : bytes);
     lock.unlock();
@@ -103,7 +103,7 @@ public:
   // the oldest blocks are freed.
   static void put(Block block) noexcept
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     State& s = state();
     if(has_large_pages(block.bytes))
       s.used -= (std::min)(s.used, block.bytes);
@@ -123,14 +123,14 @@ public:
   // Frees all blocks that are kept; tables in use stay.
   static void release() noexcept
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     free_if([](const Block&) { return true; });
   }
 
   // Of all blocks.
   static std::size_t kept_bytes()
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     std::size_t sum = 0;
     for(const Block& block : state().blocks)
       sum += block.bytes;
@@ -139,6 +139,7 @@ public:
 
 private:
   struct State {
+    std::mutex mutex;               // buffers of several threads may end at the same time
     std::array<Block, 32> blocks;   // the latest first; unused entries have a null pointer
     std::size_t used = 0, peak = 0; // bytes in blocks of large pages: now, and at most since the first detection began
     int detections = 0;
@@ -178,14 +179,7 @@ private:
     free_if([&](const Block& b) { return !b.is_for_next_call && (sum += b.bytes) > s.peak; });
   }
 
-  // Buffers of several threads may end at the same time. Neither is destroyed at the end of the program, when there may
-  // still be tables.
-  static std::mutex& mutex()
-  {
-    static std::mutex& m = *new std::mutex;
-    return m;
-  }
-
+  // Not destroyed at the end of the program, when there may still be tables.
   static State& state()
   {
     static State& s = *new State;

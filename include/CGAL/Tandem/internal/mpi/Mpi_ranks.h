@@ -8,7 +8,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 
-#include <CGAL/Tandem/internal/backend/Host_view.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/neighbors/Ghosts.h>

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_API_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_API_H
 
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 
 #include <cstddef>

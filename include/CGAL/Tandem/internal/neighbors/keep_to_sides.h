@@ -113,7 +113,7 @@ void keep_to_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<B
 {
   const double distance = double(tight.distance) / normal_scale;
   const Cloud_view cloud = sorted.view();
-  typename Backend::template Buffer<std::uint32_t> weight(sorted.size_with_ghosts());
+  Buffer_of<Backend, std::uint32_t> weight(sorted.size_with_ghosts());
   backend.for_each(cloud.size, Write_weight{cloud.surfels, weight.data()});
   ranks.refresh(weight.data(), Rings::inner);
   const auto own = backend.template sum<2>(cloud.size, Count_sides{cloud, weight.data(), distance});

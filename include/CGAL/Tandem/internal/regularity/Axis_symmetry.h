@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
 
 #include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>

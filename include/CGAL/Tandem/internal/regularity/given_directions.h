@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 

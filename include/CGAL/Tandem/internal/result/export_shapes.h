@@ -10,7 +10,7 @@
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 

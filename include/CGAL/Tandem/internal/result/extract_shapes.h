@@ -9,15 +9,13 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/components.h>
-#include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/result/exact_check.h>
 #include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/result/measure_planes.h>
 #include <CGAL/Tandem/internal/result/measure_shapes.h>
-#include <CGAL/Tandem/internal/result/surfel_labels.h>
-#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 #include <utility>

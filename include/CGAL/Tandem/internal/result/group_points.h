@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 
@@ -59,7 +60,7 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
 // Shapes of points and points of shapes move to the result. The buffer is consumed: its memory becomes the table of the
 // result where it can.
 template <class Backend>
-void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
+void take_points(Backend& backend, Buffer_of<Backend, std::int32_t>&& shape_of, std::size_t shapes,
                  Engine_result& result)
 {
   if constexpr(Stage_overrides<Backend>::groups_points)

@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 

@@ -8,9 +8,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
 
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Moment_table.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -9,10 +9,9 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
-#include <CGAL/Tandem/internal/base/ordered_bits.h>
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/rounds/Shape_sample.h>
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/score/Score.h>

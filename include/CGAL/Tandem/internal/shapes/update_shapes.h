@@ -45,7 +45,7 @@ struct Take_joined {
     if(!is_any(joined[id]))
       return;
     Add_deltas{shape, joined}(id);
-    shape[id].history.set_linked(false);
+    shape[id].history.is_linked = false;
   }
 };
 
@@ -226,7 +226,7 @@ template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   const Targets<Backend>& target)
 {
-  typename Backend::template Buffer<std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);
+  Buffer_of<Backend, std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);
   merge_shapes(points, shapes, target);
   for_each_shape(points.backend, shapes,
                  Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),

@@ -115,10 +115,8 @@ constexpr std::size_t maximum_loop_blocks = 64;
 
 inline void launch_loops(const unsigned char* loops, std::size_t bytes, std::size_t lanes)
 {
-  int multiprocessors = 0;
-  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
   const unsigned blocks =
-    unsigned((std::min)({(lanes + item_lanes - 1) / item_lanes, std::size_t(multiprocessors), maximum_loop_blocks}));
+    unsigned((std::min)({(lanes + item_lanes - 1) / item_lanes, number_of_multiprocessors(), maximum_loop_blocks}));
   if(bytes <= 512)
     launch_loops_of_size<512>(loops, bytes, blocks);
   else

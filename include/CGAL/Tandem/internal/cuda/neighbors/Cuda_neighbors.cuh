@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_packet.cuh>
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_query.cuh>
-#include <CGAL/Tandem/internal/cuda/runtime/cuda_check.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Loop_queue.cuh>
 
 namespace CGAL {
 namespace Tandem {
@@ -88,11 +88,8 @@ inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 // list. `all`: all points, because k is too large for packets.
 inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stream)
 {
-  constexpr int maximum_blocks = 12; // on a multiprocessor
-  int device = 0, processors = 0;
-  CGAL_TANDEM_CUDA(cudaGetDevice(&device));
-  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device));
-  const unsigned blocks = unsigned(processors * maximum_blocks);
+  constexpr std::size_t maximum_blocks = 12; // on a multiprocessor
+  const unsigned blocks = unsigned(number_of_multiprocessors() * maximum_blocks);
   if(task.k <= int(warp_size))
     find_single_neighbors<1><<<blocks, neighbor_lanes, 0, stream>>>(task, all);
   else

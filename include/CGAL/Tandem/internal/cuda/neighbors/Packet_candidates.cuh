@@ -13,7 +13,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
 
-#include <CGAL/Tandem/internal/cuda/neighbors/Box_levels.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_task.cuh>
 
 #include <cstdint>
 

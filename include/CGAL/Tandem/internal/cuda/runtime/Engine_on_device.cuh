@@ -7,7 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_ENGINE_ON_DEVICE_CUH
 
 #include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 
 #include <memory>
 

@@ -35,6 +35,14 @@ inline int current_device()
   return device;
 }
 
+// Of the current device.
+inline std::size_t number_of_multiprocessors()
+{
+  int multiprocessors = 0;
+  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
+  return std::size_t(multiprocessors);
+}
+
 // Whether the process has a context on the device. Since CUDA 12, cudaSetDevice() makes one; before, it does not, so
 // true is harmless.
 inline bool has_context(int device)

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/Device_work.cuh>
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
 
 #include <cuda_runtime.h>
 
