@@ -14,9 +14,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 class Host_memory {
 public:
@@ -133,8 +131,6 @@ private:
   Backend& self() { return static_cast<Backend&>(*this); }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H

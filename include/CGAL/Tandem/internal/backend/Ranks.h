@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Tables of the back end as MPI needs them: on the host.
 
@@ -161,8 +159,6 @@ void run_joint_rounds(Backend& backend, std::size_t maximum_rounds, std::size_t 
     }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H

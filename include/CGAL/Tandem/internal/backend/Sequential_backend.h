@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Atomic where only one thread runs.
 struct Plain_atomics {
@@ -135,8 +133,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H

@@ -12,9 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The memory of a back end.
 template <class Backend, class T>
@@ -127,8 +125,6 @@ Buffer_of<Backend, std::uint32_t> places_of(Backend& backend, std::size_t n,
   return place;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_BUFFERS_H

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // __extension__ keeps -Wpedantic silent about a type that is not standard.
 __extension__ typedef __int128 Int128;
@@ -191,8 +189,6 @@ struct Shape_fit {
 
 using Shape_fits = std::vector<Shape_fit>;
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H

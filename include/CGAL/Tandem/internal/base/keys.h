@@ -12,9 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Pairs of ids as one number, first id << 32 | second id.
 
@@ -58,8 +56,6 @@ inline int bits_of(std::size_t largest)
   return bits;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_KEYS_H

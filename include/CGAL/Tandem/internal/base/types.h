@@ -31,9 +31,7 @@
 #define CGAL_TANDEM_HD
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The conversion to float, for values that are used as double afterwards. It rounds in any case: g++ 12 leaves out
 // conversions to float and back where it vectorizes, and with them the rounding. It keeps those around an assembler
@@ -296,8 +294,6 @@ CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Toler
   return is_near(s, p, t.distance) && is_aligned(s, p, t.squared_cosine);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TYPES_H

@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Some entries of a row of blocks, a bit each.
 using Block_entries = std::uint16_t;
@@ -118,8 +116,6 @@ struct Block_rows {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H

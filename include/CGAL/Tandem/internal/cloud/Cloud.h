@@ -10,9 +10,7 @@
 
 #include <CGAL/Tandem/internal/base/planes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Caller's coordinates = origin + step * grid coordinates. The step is a power of two, the origin a multiple of it. So
 // a translation of the cloud by multiples of the step does not change the grid coordinates.
@@ -118,8 +116,6 @@ struct Sorted_cloud {
   std::uint32_t first = 0, first_of_points = 0;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The caller's coordinates and normals: three numbers a point. They are floats where the caller's are, which halves the
 // memory and the copy to a device. Conversion to double is exact, so results do not depend on the type.
@@ -280,8 +278,6 @@ struct Import {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H

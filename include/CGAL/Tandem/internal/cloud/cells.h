@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The level of octants that are not split, however many points they have: that of the curve, or the one with as many
 // surfels as a cell may have, each cube of them with all six sides. Larger cubes are at most a seventh more within the
@@ -135,8 +133,6 @@ std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_ta
   return cells;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H

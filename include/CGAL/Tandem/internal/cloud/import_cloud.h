@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which of the points that have just been read are valid, and their bounds.
 
@@ -332,8 +330,6 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   return in;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H

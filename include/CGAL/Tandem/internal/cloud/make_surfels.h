@@ -13,9 +13,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The points at which a surfel begins: where the code of the sort is another one than before.
 template <class Table>
@@ -133,8 +131,6 @@ void make_surfels(Backend& backend, const typename Backend::Sort_table& sorted, 
   backend.for_each(cells.size(), Place_cell{cloud.surfel.data(), cells.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_MAKE_SURFELS_H

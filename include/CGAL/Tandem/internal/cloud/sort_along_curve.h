@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The Hilbert curve through a cube of 2^21 positions an axis. Each octant of the cube, and each octant of an octant, is
 // one contiguous range of codes. So a cloud in the order of the codes is also in the order of an octree. Consecutive
@@ -331,8 +329,6 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Unsorted_p
   return order;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The engine on one back end.
 template <class Backend>
@@ -247,8 +245,6 @@ std::unique_ptr<Detection_engine> make_engine(Backend& backend, Import& in, cons
   return std::make_unique<Engine<Backend>>(backend, in, parameters, progress);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H

@@ -19,9 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The points on the grid, in the order of the curve, and the octree cells. Fills the points, the order and the cells,
 // nothing else. See the manual, "Grid and Units".
@@ -105,8 +103,6 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
     keep_to_sides(points.backend, points.ranks, points.cloud, tight);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_CONNECT_CLOUD_H

@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What a detection knows of the engine that runs it: the same for all back ends, libraries and numbers of processes.
 
@@ -81,8 +79,6 @@ template <class Backend>
 Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
                               Regularity_options options, std::vector<Coefficients>& planes);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H

@@ -19,9 +19,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A union-find by one thread.
 using Parents = Union_find<Shared_parents<Sequential_backend>>;
@@ -157,8 +155,6 @@ std::size_t first_unconnected(Backend& backend, Import& in, const Labeled_points
   return in.total.points == 0 ? result.shapes() : first_unconnected_here(backend, in, result);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H

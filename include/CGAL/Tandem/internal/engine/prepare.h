@@ -22,9 +22,7 @@
 
 #include <chrono>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the rounds change. Only prepare() takes all of it; the other stages take the parts that they read and write, so
 // that their signatures show what they may change.
@@ -133,8 +131,6 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   return true;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H

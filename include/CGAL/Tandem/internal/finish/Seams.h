@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A union-find of points of any rank, by their numbers. The smallest one of a set is its root.
 class Point_sets {
@@ -219,8 +217,6 @@ private:
   std::vector<Seam> seams_; // by root
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H

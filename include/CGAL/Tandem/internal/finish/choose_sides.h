@@ -15,9 +15,7 @@
 #include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // On which side of a plane the points of another shape lie: the sum of their signed distances, each at most epsilon,
 // and that of the absolute values.
@@ -271,8 +269,6 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H

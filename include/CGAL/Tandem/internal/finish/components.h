@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which components become shapes: those with at least the minimum number of points. Also their order in the result.
 // Reads labels and components, changes nothing.
@@ -270,8 +268,6 @@ Seams<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_
   return seams;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H

@@ -18,9 +18,7 @@
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Points of small components become free, so that an assignment can give them to the shapes around: a component of less
 // than the minimum number of points is no shape of the result. Changes labels only. See the manual, "Small Components".
@@ -182,8 +180,6 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   return relations;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H

@@ -15,9 +15,7 @@
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the growth inside one octree cell reads and writes: shapes, seeds, and its scratch memory.
 
@@ -396,8 +394,6 @@ private:
   std::uint8_t* state_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H

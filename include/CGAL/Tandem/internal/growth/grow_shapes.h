@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The points at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
 // Fills the Border of the cloud, nothing else.
@@ -454,8 +452,6 @@ void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend
   make_fits(points.backend, points.ranks, shapes.size, Started_shapes{{shapes.counted()}, shapes.plane.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H

@@ -23,9 +23,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Memory of the host for large tables. The first touch of new pages takes as long as a pass over the points. So freed
 // tables are kept: those of a detection until its end, and beside a device, where it would take longer than all other
@@ -275,8 +273,6 @@ private:
   Host_buffer<Entry> entries_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H

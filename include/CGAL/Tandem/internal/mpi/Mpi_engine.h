@@ -22,9 +22,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which rank has which points: consecutive leaves of the octree, with about as many points on each rank. Points of the
 // caller go to the rank of their leaf, with coordinates and normals; what is found of them comes back.
@@ -344,8 +342,6 @@ std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Lab
   return first_unconnected_here(backend, own, of_own);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MPI_ENGINE_H

@@ -14,9 +14,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 template <class Local>
 class Ranks<Mpi_backend<Local>> {
@@ -143,8 +141,6 @@ private:
   std::shared_ptr<Ghosts<Backend>> ghosts_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H

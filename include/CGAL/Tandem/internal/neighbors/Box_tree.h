@@ -14,9 +14,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Eight points or boxes fill a Float8, so a bucket or the children of a node are tested at once.
 constexpr std::uint32_t bucket_bits = 3;
@@ -196,8 +194,6 @@ private:
   Buffer_of<Backend, Sibling_boxes> siblings_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H

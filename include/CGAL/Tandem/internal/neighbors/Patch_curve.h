@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The plane of a sampled point and its neighbors, and the same over growing neighborhoods: first of few and of more
 // nearest neighbors, then of as many in samples that are thinned to a quarter, and so reach twice as far, each time.
@@ -300,8 +298,6 @@ inline Patch_measure Patch_curve::follow(std::size_t patch)
   return m;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_PATCH_CURVE_H

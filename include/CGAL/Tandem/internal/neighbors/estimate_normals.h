@@ -15,9 +15,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace normals {
 
 // The vector from the center of the plane of candidate s to p.
@@ -229,8 +227,6 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
   ranks.refresh(point, Rings::all);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H

@@ -17,9 +17,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The nearest points found so far of up to eight query points, the queries, side by side. Distances are compared in
 // float, with a margin. Where they differ by less than the margin, integers decide. So the result is exact.
@@ -432,8 +430,6 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H

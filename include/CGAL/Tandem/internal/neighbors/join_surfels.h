@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/cloud/make_surfels.h>
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Which surfel i would join: the heaviest of its cell among itself and its neighbors of the same side from whose center
 // the points of both are less than the edge of a surfel. Ties go to the first one.
@@ -146,8 +144,6 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
   return true;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What measure_cloud.h finds.
 
@@ -280,8 +278,6 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   return m;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H

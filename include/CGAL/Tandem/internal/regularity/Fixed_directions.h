@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Least-squares normals under constraints. One is orthogonal to a given direction, or two are orthogonal to it and to
 // each other. Results are orthogonal up to the last bit (|dot| <= 1e-15). All are closed forms: no iteration.
@@ -480,8 +478,6 @@ private:
   Great_circle_index index; // of all fixed directions
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Great circles and cells on the sphere of directions; opposite directions are the same. Directions are projected from
 // the origin onto three faces of a cube, where a great circle is a straight line. Bounds are on the safe side of all
@@ -395,8 +393,6 @@ inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vecto
   return pairs;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_GREAT_CIRCLE_INDEX_H

@@ -18,9 +18,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Planes that another method has found, with their points on the grid, as input of the regularity step. Computes fits
 // and an estimate of epsilon. It is for relate_planes() only; the detection has fits of its own. Nothing is changed here.
@@ -207,8 +205,6 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   return result;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_RELATE_PLANES_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Directions are unit normals without orientation: their signs, distances and rounding.
 
@@ -84,8 +82,6 @@ struct Relations {
   std::vector<char> is_rolled_back;  // by shape: a direction is near, but costs its points too much
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_RELATIONS_H

@@ -16,9 +16,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- From the labels of surfels to those of their points: each point has the label of its surfel, or none, as it is checked
 // by itself. And what the result has of points. See the manual, "Exact Check".
@@ -257,8 +255,6 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
   backend.for_each(place.size(), Lock_rejected{place.data(), is_rejected.data(), points.label});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H

@@ -20,9 +20,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The planes of the relations in the caller's coordinates, by plane of the relations.
 inline std::vector<Coefficients> caller_planes(const Relations& relations, const Grid& grid)
@@ -287,8 +285,6 @@ Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<B
   return Shape_extractor<Backend>(points, shapes, options, relations, in).extract();
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // For n labels in memory of the host; labels outside of [0, shapes) are left out. A stable counting sort in a few large
 // pieces, so that points ascend in each shape. A piece has at least as many points as there are shapes: all counts
@@ -71,8 +69,6 @@ void take_points(Backend& backend, Buffer_of<Backend, std::int32_t>&& shape_of, 
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H

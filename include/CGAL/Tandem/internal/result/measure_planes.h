@@ -16,9 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Adds s vv'.
 inline void add_outer(double s, const Vector& v, std::array<double, 6>& m)
@@ -118,8 +116,6 @@ void measure_planes(Labeled_cloud<Backend>& points, const Final_shapes& shapes, 
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H

@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads no
 // other point. By a group of lanes, which share the points of a sample. See the manual, "Unions".
@@ -443,8 +441,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H

@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- A sample of the points of a shape: those of the least hash of their position. That of a union of shapes is a merge of
 // theirs, so that shapes can unite without a pass over the points.
@@ -292,8 +290,6 @@ Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table
   return samples;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H

@@ -16,9 +16,7 @@
 #include <CGAL/Tandem/internal/shapes/require.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
 // points. See the manual, "Unions", last paragraph.
@@ -285,8 +283,6 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H

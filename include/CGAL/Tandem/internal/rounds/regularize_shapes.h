@@ -16,9 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The relations of the shapes, and what the regularity step reads and writes.
 
@@ -154,8 +152,6 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   return r;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H

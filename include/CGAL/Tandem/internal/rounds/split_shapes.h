@@ -16,9 +16,7 @@
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What two planes in place of one gain, see score/Score.h, by a sample of the points of the shape. Changes nothing. See
 // the manual, "Splits".
@@ -435,8 +433,6 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   take_chosen(points, shapes, chosen.data());
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H

@@ -8,9 +8,7 @@
 
 #include <CGAL/Tandem/internal/base/types.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A label below first_mark is the shape of the point, so ids are below 2^31. Otherwise the point is free. While a cell
 // grows, first_mark + s is the claim of shape s. Claims are below the two constants, so the smallest value belongs to
@@ -70,8 +68,6 @@ struct Final_shapes {
   const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H

@@ -10,9 +10,7 @@
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Counters of one cell in fast memory, in front of a table of all cells. They change nothing but these counts.
 
@@ -210,8 +208,6 @@ struct Moment_table {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- How shapes grow and begin in a cell.
 
@@ -77,8 +75,6 @@ struct Options {
   bool has_estimated_normals;         // none were given
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H

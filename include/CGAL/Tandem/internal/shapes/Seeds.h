@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The plane through a point with its own normal. The point must have one.
 CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
@@ -159,8 +157,6 @@ Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bo
   return seeds;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H

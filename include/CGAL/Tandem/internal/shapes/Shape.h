@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Shapes that are worth a thread: what is done for one is a fit, at most.
 constexpr std::size_t shapes_per_thread = 32;
@@ -93,8 +91,6 @@ CGAL_TANDEM_HD inline bool is_before(const Shape* shape, std::uint32_t a, std::u
   return na > nb || (na == nb && a < b);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H

@@ -14,9 +14,7 @@
 
 #include <cassert>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Loops are over all ids; functors skip those out of use.
 //
@@ -190,8 +188,6 @@ void add_deltas(Backend& backend, Shape_table<Backend>& shapes)
   for_each_shape(backend, shapes, Add_deltas{shapes.change_moments(), shapes.delta.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H

@@ -13,9 +13,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A pair of shapes and the number of edges of the neighbor graph between their points.
 struct Link {
@@ -214,8 +212,6 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H

@@ -13,9 +13,7 @@
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes a share of them, and gets
 // the others. Changes nothing but these fits.
@@ -294,8 +292,6 @@ void require(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsig
     list_shapes(points);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H

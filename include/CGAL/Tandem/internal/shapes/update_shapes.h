@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Adds each shape with a target to its sums, and clears it. Targets are targets of themselves.
 template <class Backend>
@@ -235,8 +233,6 @@ void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H

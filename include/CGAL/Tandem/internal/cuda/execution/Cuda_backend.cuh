@@ -25,9 +25,7 @@
 #include <array>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Sorts many short ranges of keys, such as the seeds of each cell. Runs of a fixed size are sorted in shared memory,
 // then merged by pairs. An own sort, because the segmented sort of CUB waits for the device. Moves keys within their
@@ -378,8 +376,6 @@ private:
   static constexpr std::size_t blocks_in_turns = 512;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH

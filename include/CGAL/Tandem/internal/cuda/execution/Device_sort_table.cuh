@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Calls of CUB: temporary memory is of the pool, and work is in the order of the stream of the thread.
 
@@ -122,8 +120,6 @@ struct Take_indices {
   __device__ void operator()(std::size_t i) const { index[i] = table.index(i); }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_DEVICE_SORT_TABLE_CUH

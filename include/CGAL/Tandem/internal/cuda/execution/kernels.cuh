@@ -11,9 +11,7 @@
 
 #include <cub/block/block_reduce.cuh>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The model of Block whose lanes are the threads of a CUDA block.
 
@@ -334,8 +332,6 @@ __global__ void __launch_bounds__(cell_lanes) run_cells_in_turns(std::uint32_t c
     body(block, scratch[blockIdx.x], c);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_KERNELS_CUH

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A lane among those of a loop. Whole warps work on a loop.
 struct Loop_lane {
@@ -231,8 +229,6 @@ void queue_copy(const T* source, std::size_t n, T* target)
              Copy_loop{reinterpret_cast<const std::uint32_t*>(source), reinterpret_cast<std::uint32_t*>(target)});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_LOOPS_CUH

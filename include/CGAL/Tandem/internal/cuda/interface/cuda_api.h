@@ -13,9 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 class Pinned_pair;
 class Values_on_device;
@@ -74,8 +72,6 @@ Device_work cuda_work_of_thread();
 // The number of points for which the current device has memory now.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H

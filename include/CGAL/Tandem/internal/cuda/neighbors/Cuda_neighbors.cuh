@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_query.cuh>
 #include <CGAL/Tandem/internal/cuda/runtime/Loop_queue.cuh>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr int largest_packet_k = 20; // the largest K of find_packet_neighbors()
 constexpr int largest_cuda_k = 64;   // two entries a lane
@@ -115,8 +113,6 @@ inline void find_neighbors_cuda(const Neighbor_rows& rows, void* scratch, cudaSt
   search_single(task, !has_packets, stream);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH

@@ -12,9 +12,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The tree of boxes over the sorted cloud on a device. A bucket has eight successive points; a node has 32 children, so
 // that a warp compares all of them at once. Needs 3.1 bytes a point. Bounds only prune the search, so other trees would
@@ -193,8 +191,6 @@ __device__ inline Exact_distance exact_distance(const Neighbor_task& task, const
   return {squared_distance(query, task.point[index]), index};
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_TASK_CUH

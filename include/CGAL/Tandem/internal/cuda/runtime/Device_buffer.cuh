@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Small blocks of device memory that a host thread has freed and may use again at once: calls of the pool for them take
 // as long as what is done with them. All work of a thread is in the order of its stream, so a block may still be in use
@@ -274,8 +272,6 @@ private:
   std::size_t bytes_ = 0; // of the memory
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH

@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The current device of a thread: the runtime has one for each thread, and work goes to it. Changes the current device
 // only while a guard exists.
@@ -202,8 +200,6 @@ inline void wait_quietly() noexcept
   static_cast<void>(cudaStreamSynchronize(cudaStreamPerThread));
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_LOOP_QUEUE_CUH

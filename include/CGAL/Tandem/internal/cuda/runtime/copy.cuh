@@ -22,9 +22,7 @@
 #include <new>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Copies of large tables through small pieces of pinned memory. Pageable memory would be copied by one thread of the
 // driver. Here, threads of the host fill or empty pieces while other pieces are copied.
@@ -342,8 +340,6 @@ void copy_to_host(const T* source, std::size_t n, T* target)
   std::memcpy(target, memory, bytes);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH

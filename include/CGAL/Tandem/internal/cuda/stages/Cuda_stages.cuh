@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The tables of the size of the cloud at both ends. These are points on the grid, from the caller's values, and lists
 // of points, from the shapes of the points. They are defined by their contents, so the device may compute them in its
@@ -262,8 +260,6 @@ struct Stage_overrides<Cuda_backend> : No_stage_overrides {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH

@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- How tables of items become messages of MPI.
 
@@ -344,8 +342,6 @@ private:
   std::uint64_t sent_ = 0;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H

@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/mpi/neighbors/Border_search.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Something else than each of the listed entries.
 template <class T>
@@ -215,8 +213,6 @@ private:
   std::vector<Ring> ring_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H
