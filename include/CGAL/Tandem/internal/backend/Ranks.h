@@ -53,7 +53,7 @@ private:
   std::vector<typename std::remove_const<T>::type> copy_;
 };
 
-// ---
+// --- The ranks themselves.
 
 // The items of a table that all ranks have, of which this rank does the work.
 struct Own_share {

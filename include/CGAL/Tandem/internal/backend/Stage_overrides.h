@@ -14,7 +14,7 @@ namespace CGAL::Tandem::internal {
 // header of the back end, since it must be seen before the engine is instantiated.
 struct No_stage_overrides {
   // Buffer<Grid_point> import_points(Backend&, Import&)
-  // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.
+  // The caller's points on the grid, in their order. Generic form: engine/connect_cloud.h.
   static constexpr bool imports_points = false;
 
   // void expect_cells(Backend&, const Buffer<Range>& cells)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Doubles as integers of the same order.
+// Numbers as keys: pairs of ids, and doubles as integers of the same order.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_KEYS_H
 #define CGAL_TANDEM_INTERNAL_BASE_KEYS_H
@@ -26,7 +26,7 @@ CGAL_TANDEM_HD inline std::uint64_t unordered_pair(std::uint32_t a, std::uint32_
 // bits are the better ones.
 CGAL_TANDEM_HD inline std::uint64_t hash_of_pair(std::uint64_t pair) { return pair * 0x9e3779b97f4a7c15u; }
 
-// ---
+// --- Numbers in the order of others.
 
 // Bits that are in the order of the numbers. Both zeros get the same.
 CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)

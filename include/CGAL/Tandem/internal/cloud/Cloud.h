@@ -3,7 +3,7 @@
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
 // preparation no stage changes it, but for estimated normals: near edges (choose_sides.h), and those that points take from
-// their surfels (surfel_labels.h).
+// their surfels (exact_check.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H

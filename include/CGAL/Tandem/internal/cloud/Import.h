@@ -111,7 +111,7 @@ private:
   Host_buffer<double> doubles_;
 };
 
-// ---
+// --- The import itself.
 
 // Bounds in the caller's coordinates. Like Box it starts empty and only grows.
 struct Coordinate_box {

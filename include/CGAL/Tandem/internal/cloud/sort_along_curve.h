@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the cloud along the Hilbert curve. Only positions are sorted here; engine/sort_points.h moves the points.
+// The order of the cloud along the Hilbert curve. Only positions are sorted here; engine/connect_cloud.h moves the points.
 // The result does not depend on the order of the caller's points.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H

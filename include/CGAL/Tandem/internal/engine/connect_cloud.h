@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The neighbor graph on which shapes grow, and by which a result is checked: of surfels, on both sides of thin walls
+// The sorted cloud, and the neighbor graph on which shapes grow, and by which a result is checked: of surfels, on both sides of thin walls
 // apart. Fills the rows of the cloud, with ghosts, and joins surfels. See the manual, "Surfels" and
 // "Sides of Walls".
 
@@ -78,7 +78,7 @@ void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_clo
     Stage_overrides<Backend>::expect_cells(backend, cells);
 }
 
-// ---
+// --- The neighbor graph.
 
 // Writes the rows of neighbors. meanwhile() is called while a device searches.
 template <class Backend, class Meanwhile = Nothing>

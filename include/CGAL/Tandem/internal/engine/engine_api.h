@@ -55,7 +55,7 @@ template <class Backend>
 std::unique_ptr<Detection_engine> make_engine(Backend& backend, Import& in, const Parameters& parameters,
                                               Progress& progress);
 
-// ---
+// --- Functions of the method.
 
 // Besides make_engine():
 

@@ -102,7 +102,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
   return components;
 }
 
-// ---
+// --- The components themselves.
 
 // The entries of a union-find in the scratch of one cell, which only the lanes of its block change. Indices are relative
 // to the cell.

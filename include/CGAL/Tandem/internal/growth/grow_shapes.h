@@ -78,10 +78,8 @@ void find_border(Labeled_cloud<Backend>& points)
   border.proposal.reset(border.point.size());
 }
 
-// ---
-
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
-// table of shapes follows in grow_shapes.h. Also: which cells still have many untried seeds.
+// table of shapes follows below. Also: which cells still have many untried seeds.
 
 // The proposal for a free border point: the nearest shape among those of its neighbors that it fits, of equally near
 // ones the smallest id. Labels and planes do not change meanwhile, so the points may come in any order.

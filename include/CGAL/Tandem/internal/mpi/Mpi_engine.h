@@ -27,7 +27,7 @@ namespace CGAL::Tandem::internal {
 // --- Which rank has which points: consecutive leaves of the octree, with about as many points on each rank. Points of the
 // caller go to the rank of their leaf, with coordinates and normals; what is found of them comes back.
 
-// --- Where the ranks begin along the curve: with a leaf of the octree, so that each has about as many points. Only the
+// Where the ranks begin along the curve: with a leaf of the octree, so that each has about as many points. Only the
 // octants around a boundary are counted.
 
 // The octants of one level of the octree, with the number of points of all ranks in each.
@@ -273,7 +273,7 @@ private:
   std::vector<std::size_t> received_; // points from each rank
 };
 
-// ---
+// --- The engine.
 
 // Each function is called by all ranks.
 template <class Local>

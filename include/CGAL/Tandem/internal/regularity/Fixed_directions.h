@@ -121,8 +121,6 @@ inline Symmetric_matrix turned(const Symmetric_matrix& m, const Vector& from, co
   return {dot(row[0], m0), dot(row[0], m1), dot(row[0], m2), dot(row[1], m1), dot(row[1], m2), dot(row[2], m2)};
 }
 
-// ---
-
 // --- Groups of parallel shapes, and what it costs to turn them.
 
 // Shapes that share one direction, and the moments that decide on it. Right angles to other groups are considered

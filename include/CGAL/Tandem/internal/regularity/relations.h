@@ -49,7 +49,7 @@ inline double squared_sine(const Vector& a, const Vector& b)
   return dot(c, c);
 }
 
-// ---
+// --- The relations.
 
 // For a given normal, the plane with the least sum of squared distances.
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }

@@ -160,7 +160,7 @@ struct Write_normals {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { normal[order[i]] = point[i].normal; }
 };
 
-// ---
+// --- The check itself.
 
 // The caller's values, in the order of the imported points.
 struct Caller_view {

@@ -114,7 +114,7 @@ CGAL_TANDEM_HD inline void merge_sample(Shape_sample& target, const Shape_sample
 template <class Backend>
 using Shape_samples = Buffer_of<Backend, Shape_sample>;
 
-// ---
+// --- The samples of all shapes.
 
 // A number of its own for each position in the cloud of all ranks: the finalizer of MurmurHash3, which is a bijection.
 CGAL_TANDEM_HD inline std::uint32_t hash_of_position(std::uint32_t position)

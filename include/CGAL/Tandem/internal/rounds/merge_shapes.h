@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Touching shapes become one where that gains: see Union_gain. Without it slanted surfaces are cut into terraces.
-// Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Changes the table of shapes, labels, states and
-// lists of cells, and the links.
+// Changes the table of shapes, labels, states and lists of cells, and the links. Also: which shapes become one because they
+// have the same plane.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
@@ -17,9 +17,6 @@
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 namespace CGAL::Tandem::internal {
-
-// --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
-// points. See the manual, "Unions", last paragraph.
 
 // --- Sets of shapes that become one: the largest stays, of equal ones that with the smallest id. Changes nothing.
 
@@ -68,7 +65,8 @@ Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shap
   return target;
 }
 
-// ---
+// --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
+// points. See the manual, "Unions", last paragraph.
 
 // Live shapes with a plane of the relations, as members of sets: see join_members().
 struct Shapes_with_plane {
@@ -102,8 +100,6 @@ Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& 
   backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.table().data(), links.data(), set.data()});
   return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.counted()}, set.data());
 }
-
-// ---
 
 // --- The unions of touching shapes, by all ranks. Changes nothing but tables of its own, where the functors run.
 

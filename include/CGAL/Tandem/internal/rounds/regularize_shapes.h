@@ -39,7 +39,7 @@ struct Shape_relations {
   Relations relations;
 };
 
-// ---
+// --- The step itself.
 
 // All shapes are at their local planes afterwards.
 struct Take_local {

@@ -37,7 +37,8 @@ CGAL_TANDEM_HD inline bool is_untried(const std::uint32_t* label, const std::uin
   return label[i] == free_label && !(state[i] & tried_seed_bit);
 }
 
-// --- Which points of a surfel belong to its shape. In the loop all do; in the result those that are within their tolerances.
+// --- Which points of a surfel belong to its shape. In the loop all do; in the result those that are within their
+// tolerances.
 
 // The labels of surfels, and of the points that they stand for. A point has the label of its surfel, or none.
 struct Labels_of_points {

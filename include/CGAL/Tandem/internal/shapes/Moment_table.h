@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of the points that shapes win or lose in a pass. They are gathered for each cell in a small table, and added to
+// Sums of the points that shapes win or lose in a pass, and numbers of points. They are gathered for each cell in a small table, and added to
 // the shapes at its end. All sums are of integers, so neither order nor number of threads matters.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
@@ -56,7 +56,7 @@ struct Count_scratch {
   }
 };
 
-// ---
+// --- The moments of shapes.
 
 // A shape's moments and bounds while many threads add to them, in grid steps. There is no atomic addition of 128 bits,
 // so the words of a product are added one by one. An overflow of the low word is seen by exactly one thread, which adds

@@ -33,7 +33,7 @@ struct Growth_options {
 constexpr std::uint32_t small_cell = 8192;
 constexpr std::uint32_t largest_cell = 65536;
 
-// ---
+// --- All parameters of the stages.
 
 // The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {

@@ -82,7 +82,7 @@ void make_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, con
   spread_fits(backend, ranks, n, fits);
 }
 
-// ---
+// --- What follows from the labels.
 
 // A hash set of shapes with linear probing; twice the capacity of a list keeps probes short.
 struct List_scratch {

@@ -57,7 +57,7 @@ struct Take_item {
   __device__ void operator()(std::size_t i) const { item[i] = f.take(found[i]); }
 };
 
-// ---
+// --- The table itself.
 
 // Entry i is (key, index). Functors write entries through the view, and read them after sort().
 class Device_sort_table {

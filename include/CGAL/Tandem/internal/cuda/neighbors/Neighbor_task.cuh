@@ -116,7 +116,7 @@ static __global__ void join_boxes(Box_levels tree, int level)
 
 #endif
 
-// ---
+// --- The task, and the order of neighbors.
 
 // Queries of a packet that are searched one by one: bit i is point 32 packet + i.
 struct Deferred_lanes {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Copies between host and device in the order of the stream of the thread.
+// Copies between host and device.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
@@ -24,10 +24,9 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Copies of large tables through small pieces of pinned memory. Pageable memory would be copied by one thread of the
-// driver. Here, threads of the host fill or empty pieces while other pieces are copied.
-
 // --- Pinned memory of the host, which fast copies from and to a device need. To allocate it is slow, so blocks are kept.
+// Large tables are copied through small pieces of it. Pageable memory would be copied by one thread of the driver. Here,
+// threads of the host fill or empty pieces while other pieces are copied.
 
 // Items that are slow to make, kept for the next thread that needs one.
 template <class T>
@@ -253,7 +252,7 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
   });
 }
 
-// ---
+// --- Copies in the order of the stream of the thread.
 
 // Pinned memory for copies of small tables. The source of a copy has to stay until the stream has come that far. So
 // places are used again only after a synchronization. A staging belongs to one thread and one device: the thread has
