@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(deltas)
       const std::string where = name + ": deltas of pass " + std::to_string(pass);
       std::vector<char> has_delta(shapes.size, 0);
       for(Shape& shape : shapes.table())
-        shape.history.set_fitted(true);
+        shape.history.is_fitted = true;
       Shared_moments* sums = start_deltas(backend, shapes, shapes.size);
       for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
         const std::uint32_t s = f.label[i];
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(deltas)
       add_deltas(backend, shapes);
       check_moments(shapes, expected, where);
       for(std::size_t s = 0; s < shapes.size; ++s)
-        CHECK_AT(shapes.table()[s].history.is_fitted() == (has_delta[s] == 0), where + ": shapes to be fitted");
+        CHECK_AT(shapes.table()[s].history.is_fitted == (has_delta[s] == 0), where + ": shapes to be fitted");
     }
     const std::size_t more = 2 * shapes.delta.size();
     const Shared_moments* const sums = start_deltas(backend, shapes, more);

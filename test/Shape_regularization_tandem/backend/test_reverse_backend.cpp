@@ -8,15 +8,10 @@
 #include "testing/Reverse_backend.h"
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/backend/concepts.h>
-
 BOOST_AUTO_TEST_SUITE(test_reverse_backend)
 
 using CGAL::Tandem::Reverse_tag;
 using CGAL::Tandem::internal::Reverse_backend;
-
-static_assert(CGAL::Tandem::internal::Is_host_backend<CGAL::Tandem::internal::Reverse_backend>::value,
-              "the back end is no model of the concept");
 
 // Half a pass above the present numbers of items, and 5 % above those of loops. Loops over cells are passes over the
 // points that are not among the items.

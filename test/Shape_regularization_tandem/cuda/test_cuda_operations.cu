@@ -34,7 +34,7 @@ bool groups_as_host(Cuda_backend& cuda, std::size_t points, std::size_t shapes)
   Sequential_backend host;
   const auto expected = group_points(host, shape_of.data(), points, shapes);
   Engine_result result;
-  group_points_cuda(cuda, to_buffer(cuda, shape_of), shapes, result);
+  Stage_overrides<Cuda_backend>::group_points(cuda, to_buffer(cuda, shape_of), shapes, result);
   return result.points.first == expected.first && result.shape_of.size() == points &&
          std::equal(shape_of.begin(), shape_of.end(), result.shape_of.begin()) &&
          result.points.position.size() == expected.position.size() &&

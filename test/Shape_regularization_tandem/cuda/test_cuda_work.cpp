@@ -6,7 +6,6 @@
 #include "testing/cuda_support.h"
 
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
-#include <CGAL/Tandem/internal/cuda/runtime/Device_work.cuh>
 
 BOOST_AUTO_TEST_SUITE(test_cuda_work)
 

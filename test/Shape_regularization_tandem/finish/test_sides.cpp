@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(bodies)
           CHECK_AT(point[i].normal == expected[i] && point[i].x == f.point[i].x, name + ", " + f.name + ": normals");
       };
       std::vector<std::uint32_t> chosen(n), normal(n);
-      backend.for_each(n, Keep_label{view.label, chosen.data()});
+      backend.for_each(n, Copy_items<std::uint32_t>{view.label, chosen.data()});
       backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()});
       check_lists(chosen, side, name + ", " + f.name + ": sides");
       check_normals(normal, normal_of_side);

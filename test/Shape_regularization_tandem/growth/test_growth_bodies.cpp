@@ -152,8 +152,8 @@ struct Grown_shapes {
     for(std::uint32_t id = 0; id < size; ++id) {
       shape[id].age = int(id % 11);
       shape[id].is_active = id % 2 == 0;
-      shape[id].history.set_fitted(true);
-      shape[id].history.set_linked(true);
+      shape[id].history.is_fitted = true;
+      shape[id].history.is_linked = true;
       if(is_live(id))
         shape[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
       plane[id] = marked_plane(id);
@@ -202,8 +202,7 @@ void check_shape(const Shape_table<Backend>& shapes, std::uint32_t id, const Gro
               is_out_of_use ? 0 : (std::min)(1 << (std::min)(s.age, 30), tuning::growth::maximum_steps),
               at + ": steps");
   if(!is_out_of_use)
-    CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
-               s.history.is_linked() == !is_active,
+    CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted == !is_active && s.history.is_linked == !is_active,
              at + ": changes");
 }
 

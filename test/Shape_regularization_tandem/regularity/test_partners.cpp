@@ -7,7 +7,7 @@
 #include "testing/direction_families.h"
 #include "testing/same_bits.h"
 
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <algorithm>
 #include <cmath>

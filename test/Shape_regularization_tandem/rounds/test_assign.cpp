@@ -53,7 +53,7 @@ public:
     std::vector<Shape> shape(plane.size());
     for(std::size_t s = 0; s < shape.size(); ++s) {
       shape[s].plane_number = !is_of_one_plane_ || s % 10 == 9 ? -1 : int(s / 2);
-      shape[s].history.set_fitted(true);
+      shape[s].history.is_fitted = true;
     }
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark) {
@@ -161,7 +161,7 @@ void check_shapes(const std::vector<Shape>& got, const std::vector<Shape>& befor
     for(int a = 0; a < 3 && got[s].is_live(); ++a)
       CHECK_AT(got[s].box.low[a] <= expected[s].box.low[a] && got[s].box.high[a] >= expected[s].box.high[a],
                at + ": box");
-    CHECK_AT(!got[s].history.is_fitted() || are_equal(got[s].moments, before[s].moments), at + ": is fitted");
+    CHECK_AT(!got[s].history.is_fitted || are_equal(got[s].moments, before[s].moments), at + ": is fitted");
   }
 }
 

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(links_of_clouds)
           if(label[i] < first_mark)
             shape[label[i]].moments.add(f.point[i], 1);
         for(std::uint32_t s = 0; s < number; ++s)
-          shape[s].history.set_linked(s % 3 != 0);
+          shape[s].history.is_linked = s % 3 != 0;
         Slow_links expected(f, label, tried_seed_bit,
                             [&](std::uint32_t s) { return which == Links::all || s % 3 == 0; });
         CHECK_AT(number != 64 || which != Links::all || label.size() <= 3000 || expected.edges.size() > 1024,
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(links_of_clouds)
         check_links(collect(), expected.edges, where);
         check_lists(to_vector(backend, points.state(), label.size()), expected.state, where + ", interior points");
         for(std::uint32_t s = 0; s < number; ++s)
-          check_equal(shapes.table()[s].history.is_linked(), which == Links::changed || s % 3 != 0,
+          check_equal(shapes.table()[s].history.is_linked != 0, which == Links::changed || s % 3 != 0,
                       where + ", shapes that have changed");
         if(which == Links::changed) // of which there is none any more
           expected.edges.clear();

@@ -153,7 +153,7 @@ public:
   }
 };
 
-class Shuffled_backend : public Sequential_backend {
+class Shuffled_backend : public Host_operations<Shuffled_backend>, public Plain_atomics {
 public:
   template <class T>
   using Buffer = Garbage_buffer<T>;
@@ -217,30 +217,6 @@ public:
     Buffer<std::uint32_t> result(kept.size());
     std::copy(kept.begin(), kept.end(), result.begin());
     return result;
-  }
-
-  template <class T, class F>
-  Buffer<T> make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(*this, n, f);
-  }
-
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
-  {
-    run_rounds_on(*this, maximum_rounds, items, rounds);
-  }
-
-  template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f)
-  {
-    return collect_on<T>(*this, n, f);
-  }
-
-  template <int N, class F>
-  std::array<std::int64_t, N> sum(std::size_t n, F f)
-  {
-    return sum_on<N>(*this, n, f);
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)

@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 
 #include <memory>
 #include <stdexcept>

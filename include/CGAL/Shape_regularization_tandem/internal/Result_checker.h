@@ -15,7 +15,7 @@
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <algorithm>
 #include <cmath>

@@ -14,11 +14,8 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
-// The operations that concepts.h lists under "Backend, memory".
 class Host_memory {
 public:
   template <class T>
@@ -35,25 +32,31 @@ public:
     if(n > 0)
       std::memcpy(target, source, n * sizeof(T));
   }
+};
 
-protected:
-  template <class T, class Backend, class F>
-  static typename Backend::template Buffer<T> make_buffer_on(Backend& backend, std::size_t n, F f)
+// The operations that are made of others in the same way on every back end of the host, which has in addition
+//   for_each_piece(n, grain, f)       f(first, last) for the pieces of [0, n) that begin at the multiples of grain
+template <class Backend>
+class Host_operations : public Host_memory {
+public:
+  // A buffer of f(i) for i in [0, n), where f is evaluated on the host, once for each.
+  template <class T, class F>
+  auto make_buffer(std::size_t n, F f)
   {
     typename Backend::template Buffer<T> items(n);
-    backend.for_each_on_host(n, [&](std::size_t i) { items[i] = f(i); });
+    self().for_each_on_host(n, [&](std::size_t i) { items[i] = f(i); });
     return items;
   }
 
-  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece(). Each piece is kept at its
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. Each piece is kept at its
   // beginning, then moved to its place.
-  template <class Backend, class F>
-  static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
-    Host_buffer<std::uint32_t> kept(n);
-    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+    Buffer<std::uint32_t> kept(n);
+    self().for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       std::size_t to = first;
       for(std::size_t i = first; i < last; ++i) {
         kept[to] = std::uint32_t(i); // overwritten unless it is kept
@@ -62,8 +65,8 @@ protected:
       place[first / grain + 1] = to - first;
     });
     std::partial_sum(place.begin(), place.end(), place.begin());
-    Host_buffer<std::uint32_t> result(place.back());
-    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
+    Buffer<std::uint32_t> result(place.back());
+    self().for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
       const std::size_t to = place[first / grain];
       std::copy_n(kept.begin() + first, place[first / grain + 1] - to, result.begin() + to);
     });
@@ -72,25 +75,25 @@ protected:
 
   // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what
   // has() reads.
-  template <class T, class Backend, class F>
-  static Host_buffer<T> collect_on(Backend& backend, std::size_t n, F f)
+  template <class T, class F>
+  Buffer<T> collect(std::size_t n, F f)
   {
-    const Host_buffer<std::uint32_t> found = compact_on(backend, n, [&](std::uint32_t i) { return f.has(i); });
-    Host_buffer<T> items(found.size());
-    backend.for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
+    const Buffer<std::uint32_t> found = compact(n, [&](std::uint32_t i) { return f.has(i); });
+    Buffer<T> items(found.size());
+    self().for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
       for(std::size_t k = first; k < last; ++k)
         items[k] = f.take(found[k]);
     });
     return items;
   }
 
-  // N sums of what f(i, sums) adds for i in [0, n). Each piece has sums of its own.
-  template <int N, class Backend, class F>
-  static std::array<std::int64_t, N> sum_on(Backend& backend, std::size_t n, F f)
+  // N sums, for the host, of what f(i, sums) adds for i in [0, n). Each piece has sums of its own.
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t n, F f)
   {
     constexpr std::size_t grain = 1024;
     std::vector<std::array<std::int64_t, N>> of_piece((n + grain - 1) / grain);
-    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+    self().for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       std::array<std::int64_t, N> sums = {};
       for(std::size_t i = first; i < last; ++i)
         f(i, sums.data());
@@ -103,69 +106,31 @@ protected:
     return total;
   }
 
-  // Lanes beyond these cost more than they balance.
-  static constexpr std::size_t maximum_lanes = 4096;
-
-  // Steps one after the other; functors on the host, so what is_last() reads is there. Where the items of a step are
-  // few, one thread has all lanes.
-  template <class Backend, class Rounds>
-  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  // Rounds of steps. rounds.run(step, round, lane, lanes) for all lanes, before any does the next step; a step shares
+  // its items among the lanes. Their number is about that of the items, or any smaller one. Before the last step of a
+  // round the loop ends, if rounds.is_last(round), and it ends after so many rounds. rounds.few(step): fewer items of
+  // a step are not worth a second thread, so one thread has all lanes then.
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
+    constexpr std::size_t maximum_lanes = 4096; // more cost more than they balance
     const std::size_t lanes = (std::max)((std::min)(items, maximum_lanes), std::size_t(1));
     for(std::size_t round = 0; round < maximum_rounds; ++round)
       for(int step = 0; step < Rounds::steps; ++step) {
         if(step + 1 == Rounds::steps && rounds.is_last(round))
           return;
         const std::size_t grain = items < Rounds::few(step) ? lanes : (lanes + 63) / 64;
-        backend.for_each_piece(lanes, grain, [&](std::size_t first, std::size_t last) {
+        self().for_each_piece(lanes, grain, [&](std::size_t first, std::size_t last) {
           for(std::size_t lane = first; lane < last; ++lane)
             rounds.run(step, round, lane, lanes);
         });
       }
-  }
-};
-
-// The operations that are made of others in the same way on every back end of the host with several threads or another
-// order. Sequential_backend has them one by one, and says what they do.
-template <class Backend>
-class Host_operations : public Host_memory {
-public:
-  template <class T, class F>
-  auto make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(self(), n, f);
-  }
-
-  template <class F>
-  auto compact(std::size_t n, F is_kept)
-  {
-    return compact_on(self(), n, is_kept);
-  }
-
-  template <class T, class F>
-  auto collect(std::size_t n, F f)
-  {
-    return collect_on<T>(self(), n, f);
-  }
-
-  template <int N, class F>
-  auto sum(std::size_t n, F f)
-  {
-    return sum_on<N>(self(), n, f);
-  }
-
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
-  {
-    run_rounds_on(self(), maximum_rounds, items, rounds);
   }
 
 private:
   Backend& self() { return static_cast<Backend&>(*this); }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H

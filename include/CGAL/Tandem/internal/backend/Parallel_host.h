@@ -13,9 +13,7 @@
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 using Parallel_host = Tbb_backend;
@@ -23,8 +21,6 @@ using Parallel_host = Tbb_backend;
 using Parallel_host = Sequential_backend;
 #endif
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_PARALLEL_HOST_H

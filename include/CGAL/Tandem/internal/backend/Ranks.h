@@ -7,21 +7,53 @@
 // its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each rank makes
 // a share of the tests and fits.
 //
-// Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same operations for many; concepts.h lists them.
+// Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same operations for many.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H
 
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/buffers.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- Tables of the back end as MPI needs them: on the host.
+
+// The first n items of a table: itself where it is memory of the host, otherwise a copy.
+template <class Backend, class T>
+class Host_view {
+  static constexpr bool is_host = std::is_base_of<Host_memory, Backend>::value;
+
+public:
+  Host_view(Backend& backend, T* table, std::size_t n) : backend_(backend), table_(table)
+  {
+    if(!is_host)
+      copy_ = to_vector(backend, table, n);
+  }
+
+  T* data() { return is_host ? table_ : copy_.data(); }
+  const T* data() const { return is_host ? table_ : copy_.data(); }
+
+  // The table becomes what the view is.
+  void write_back()
+  {
+    if constexpr(!is_host)
+      write_to(backend_, copy_, table_);
+  }
+
+private:
+  Backend& backend_;
+  T* table_;
+  std::vector<typename std::remove_const<T>::type> copy_;
+};
+
+// --- The ranks themselves.
 
 // The items of a table that all ranks have, of which this rank does the work.
 struct Own_share {
@@ -92,7 +124,7 @@ public:
 
 // f.take(i) of the i in [0, n) with f.has(i), of all ranks.
 template <class T, class Backend, class F>
-typename Backend::template Buffer<T> collect_of_all(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, F f)
+Buffer_of<Backend, T> collect_of_all(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, F f)
 {
   auto own = backend.template collect<T>(n, f);
   if constexpr(Ranks<Backend>::are_many)
@@ -127,8 +159,6 @@ void run_joint_rounds(Backend& backend, std::size_t maximum_rounds, std::size_t 
     }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sequential model of Backend: one thread of the host, no synchronization. The one to read first, since its
-// comments define each operation for all back ends.
+// comments, and those of Host_operations, define each operation for all back ends.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
@@ -16,107 +16,10 @@
 #include <algorithm>
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
-class Sequential_backend : public Host_memory {
-public:
-  static const char* name() { return "sequential"; }
-
-  // About how many bodies run at the same time.
-  std::size_t concurrency() const { return 1; }
-
-  // f(i) for i in [0, n), in any order. About `grain` items are worth a thread.
-  template <class F>
-  void for_each(std::size_t n, F f, std::size_t = 4096)
-  {
-    for(std::size_t i = 0; i < n; ++i)
-      f(i);
-  }
-
-  // The same on the host, where f uses what only the host has. Fewer items than `few` are not worth a second thread.
-  template <class F>
-  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
-  {
-    for_each(n, f);
-  }
-
-  // A buffer of f(i) for i in [0, n), where f is evaluated on the host, once for each.
-  template <class T, class F>
-  Buffer<T> make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(*this, n, f);
-  }
-
-  // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
-  template <class F>
-  void for_each_piece(std::size_t n, std::size_t grain, F f)
-  {
-    for(std::size_t first = 0; first < n; first += grain)
-      f(first, (std::min)(first + grain, n));
-  }
-
-  // body(block, scratch, c) for c in [0, cells), in any order. A Scratch serves one body at a time and has no defined
-  // contents at its start.
-  template <class Scratch, class Body>
-  void for_each_cell(std::size_t cells, Body body)
-  {
-    auto scratch = std::make_unique<Scratch>();
-    Serial_block block;
-    for(std::size_t c = 0; c < cells; ++c)
-      body(block, *scratch, std::uint32_t(c));
-  }
-
-  // Ascending by key; the order of equal keys is not defined, so callers use unique keys or break ties themselves.
-  // Where keys have less than 63 bits, their number saves a device time.
-  void sort(Sort_table& table, int = 63)
-  {
-    using Entry = Sort_table::Entry;
-    boost::sort::spreadsort::integer_sort(
-      table.begin(), table.end(), [](const Entry& e, unsigned shift) { return e.key >> shift; },
-      [](const Entry& a, const Entry& b) { return a.key < b.key; });
-  }
-
-  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item.
-  template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
-  {
-    return compact_on(*this, n, is_kept);
-  }
-
-  // Rounds of steps. rounds.run(step, round, lane, lanes) for all lanes, before any does the next step; a step shares
-  // its items among the lanes. Their number is about that of the items, or any smaller one. Before the last step of a
-  // round the loop ends, if rounds.is_last(round), and it ends after so many rounds. rounds.few(step): fewer items of
-  // a step are not worth a second thread.
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t, const Rounds& rounds)
-  {
-    run_rounds_on(*this, maximum_rounds, 1, rounds);
-  }
-
-  // f.take(i) of the i in [0, n) with f.has(i), ascending. has() of all before any take().
-  template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
-  {
-    return collect_on<T>(*this, n, f);
-  }
-
-  // N sums, for the host, to which f(i, sums) adds for i in [0, n).
-  template <int N, class F>
-  std::array<std::int64_t, N> sum(std::size_t n, F f)
-  {
-    return sum_on<N>(*this, n, f);
-  }
-
-  // In each of the ranges, ascending. Together they are [0, size), the last but one argument; none has more items than
-  // the last one.
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
-  {
-    for(std::size_t c = 0; c < ranges; ++c)
-      boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
-  }
-
+// Atomic where only one thread runs.
+struct Plain_atomics {
   // target += value, from functors that run at the same time; returns the old target. Integers only: sums of floats
   // would depend on the order.
   template <class T>
@@ -163,8 +66,73 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+class Sequential_backend : public Host_operations<Sequential_backend>, public Plain_atomics {
+public:
+  static const char* name() { return "sequential"; }
+
+  // About how many bodies run at the same time.
+  std::size_t concurrency() const { return 1; }
+
+  // f(i) for i in [0, n), in any order. About `grain` items are worth a thread.
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t = 4096)
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
+  // The same on the host, where f uses what only the host has. Fewer items than `few` are not worth a second thread.
+  template <class F>
+  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
+  {
+    for_each(n, f);
+  }
+
+  // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    for(std::size_t first = 0; first < n; first += grain)
+      f(first, (std::min)(first + grain, n));
+  }
+
+  // body(block, scratch, c) for c in [0, cells), in any order. A Scratch serves one body at a time and has no defined
+  // contents at its start.
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    auto scratch = std::make_unique<Scratch>();
+    Serial_block block;
+    for(std::size_t c = 0; c < cells; ++c)
+      body(block, *scratch, std::uint32_t(c));
+  }
+
+  // Ascending by key; the order of equal keys is not defined, so callers use unique keys or break ties themselves.
+  // Where keys have less than 63 bits, their number saves a device time.
+  void sort(Sort_table& table, int = 63)
+  {
+    using Entry = Sort_table::Entry;
+    boost::sort::spreadsort::integer_sort(
+      table.begin(), table.end(), [](const Entry& e, unsigned shift) { return e.key >> shift; },
+      [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  }
+
+  // By one lane: see Host_operations.
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t, const Rounds& rounds)
+  {
+    Host_operations::run_rounds(maximum_rounds, 1, rounds);
+  }
+
+  // In each of the ranges, ascending. Together they are [0, size), the last but one argument; none has more items than
+  // the last one.
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
+  {
+    for(std::size_t c = 0; c < ranges; ++c)
+      boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
+  }
+};
+
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H

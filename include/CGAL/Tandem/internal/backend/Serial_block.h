@@ -7,12 +7,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 struct Serial_block {
   // So many items are worth trying before it is known whether they are needed. Results do not depend on it.
@@ -140,8 +137,6 @@ struct Serial_block {
   void add_box(Box& target, const Box& b) { target.add(b); }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H

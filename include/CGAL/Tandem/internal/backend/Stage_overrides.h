@@ -6,9 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A specialization of Stage_overrides inherits from this and sets the flags of the stages that it replaces. For each it
 // has a static function, with the name, parameters and result that are given here. What a stage returns is defined
@@ -16,7 +14,7 @@ namespace internal {
 // header of the back end, since it must be seen before the engine is instantiated.
 struct No_stage_overrides {
   // Buffer<Grid_point> import_points(Backend&, Import&)
-  // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.
+  // The caller's points on the grid, in their order. Generic form: engine/connect_cloud.h.
   static constexpr bool imports_points = false;
 
   // void expect_cells(Backend&, const Buffer<Range>& cells)
@@ -37,8 +35,6 @@ struct No_stage_overrides {
 template <class Backend>
 struct Stage_overrides : No_stage_overrides {};
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H

@@ -23,9 +23,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A reference to a functor of one index. The tasks of oneTBB are instantiated for this type only, since they take much
 // longer to compile than a call takes to run.
@@ -171,8 +169,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H

@@ -10,9 +10,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // An entry never exceeds its index and only ever falls, so there are no cycles.
 // A root is the smallest index of its set, whatever the order of the unions. Where threads race for a root, one
@@ -76,8 +74,6 @@ struct Shared_parents {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_UNION_FIND_H

@@ -12,9 +12,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// The memory of a back end.
+template <class Backend, class T>
+using Buffer_of = typename Backend::template Buffer<T>;
 
 // The scratch memory of bodies whose lanes share nothing.
 struct No_scratch {};
@@ -28,15 +30,15 @@ struct Fill {
 };
 
 template <class T, class Backend>
-typename Backend::template Buffer<T> filled_buffer(Backend& backend, std::size_t n, T value)
+Buffer_of<Backend, T> filled_buffer(Backend& backend, std::size_t n, T value)
 {
-  typename Backend::template Buffer<T> buffer(n);
+  Buffer_of<Backend, T> buffer(n);
   backend.for_each(n, Fill<T>{buffer.data(), value});
   return buffer;
 }
 
 template <class Backend, class T>
-typename Backend::template Buffer<T> to_buffer(Backend& backend, const std::vector<T>& table)
+Buffer_of<Backend, T> to_buffer(Backend& backend, const std::vector<T>& table)
 {
   return backend.template make_buffer<T>(table.size(), [&](std::size_t i) { return table[i]; });
 }
@@ -74,13 +76,30 @@ void write_to(Backend& backend, const std::vector<T>& values, T* table)
 
 // The items, and room for more.
 template <class T, class Backend>
-typename Backend::template Buffer<T> extended(Backend& backend, const typename Backend::template Buffer<T>& table,
-                                              std::size_t size)
+Buffer_of<Backend, T> extended(Backend& backend, const Buffer_of<Backend, T>& table, std::size_t size)
 {
-  typename Backend::template Buffer<T> larger(size);
+  Buffer_of<Backend, T> larger(size);
   backend.for_each(table.size(), Copy_items<T>{table.data(), larger.data()});
   return larger;
 }
+
+// The items at these places.
+template <class T>
+struct Gather_items {
+  const T* source;
+  const std::uint32_t* place;
+  T* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = source[place[i]]; }
+};
+
+// Successive numbers.
+struct Fill_ascending {
+  std::uint32_t* target;
+  std::uint32_t first = 0;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = first + std::uint32_t(i); }
+};
 
 // A predicate of compactions.
 struct Is_marked {
@@ -98,16 +117,14 @@ struct Write_place {
 
 // For each of n ids its place in the list, or no_index. No id is listed twice.
 template <class Backend>
-typename Backend::template Buffer<std::uint32_t> places_of(Backend& backend, std::size_t n,
-                                                           const typename Backend::template Buffer<std::uint32_t>& ids)
+Buffer_of<Backend, std::uint32_t> places_of(Backend& backend, std::size_t n,
+                                            const Buffer_of<Backend, std::uint32_t>& ids)
 {
   auto place = filled_buffer(backend, n, no_index);
   backend.for_each(ids.size(), Write_place{ids.data(), place.data()});
   return place;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_BUFFERS_H

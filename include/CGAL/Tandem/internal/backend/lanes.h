@@ -9,9 +9,7 @@
 
 #include <CGAL/Tandem/internal/base/types.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // f(i) for the items of one lane; all lanes together have [0, n). On a device, lanes beside each other read items
 // beside each other. On the host, where a thread has one lane after the other, the items of a lane are consecutive.
@@ -173,8 +171,6 @@ void for_each_by_group(Backend& backend, std::size_t n, const F& f)
   backend.run_rounds(1, n, Items_of_groups<F>{f, n});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BACKEND_LANES_H

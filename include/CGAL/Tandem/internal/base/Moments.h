@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // __extension__ keeps -Wpedantic silent about a type that is not standard.
 __extension__ typedef __int128 Int128;
@@ -27,6 +25,22 @@ struct Moment_sums {
   std::int64_t sum[3] = {0, 0, 0};
   Product product[6] = {0, 0, 0, 0, 0, 0}; // xx xy xz yy yz zz
   Product squared_tolerances = 0;          // sum of squared_level(); as wide as that, so that there is no padding
+
+  // Takes a point out with sign -1.
+  CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1, std::uint8_t level = 0)
+  {
+    count += sign;
+    squared_tolerances += sign * squared_level(level);
+    sum[0] += sign * x;
+    sum[1] += sign * y;
+    sum[2] += sign * z;
+    product[0] += sign * (x * x);
+    product[1] += sign * (x * y);
+    product[2] += sign * (x * z);
+    product[3] += sign * (y * y);
+    product[4] += sign * (y * z);
+    product[5] += sign * (z * z);
+  }
 
   CGAL_TANDEM_HD void operator+=(const Moment_sums& m)
   {
@@ -59,37 +73,14 @@ struct Moment_sums {
   }
 };
 
-// Moments of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice. add() with sign
-// -1 takes a point out, here and below.
-struct Cell_moments : Moment_sums<std::int64_t> {
-  CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1, std::uint8_t level = 0)
-  {
-    count += sign;
-    squared_tolerances += sign * squared_level(level);
-    sum[0] += sign * x;
-    sum[1] += sign * y;
-    sum[2] += sign * z;
-    product[0] += sign * (x * x);
-    product[1] += sign * (x * y);
-    product[2] += sign * (x * z);
-    product[3] += sign * (y * y);
-    product[4] += sign * (y * z);
-    product[5] += sign * (z * z);
-  }
-};
+// Moments of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice.
+using Cell_moments = Moment_sums<std::int64_t>;
 
 // Moments of any points, in grid coordinates: products of up to 2^56 times 2^35 points need 128 bits.
 struct Moments : Moment_sums<Int128> {
   CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1, std::uint8_t level = 0)
   {
-    const std::int64_t c[3] = {p.x, p.y, p.z};
-    count += sign;
-    squared_tolerances += sign * squared_level(level);
-    for(int i = 0, k = 0; i < 3; ++i) {
-      sum[i] += sign * c[i];
-      for(int j = i; j < 3; ++j, ++k)
-        product[k] += sign * (c[i] * c[j]);
-    }
+    Moment_sums::add(p.x, p.y, p.z, sign, level);
   }
 };
 
@@ -198,8 +189,6 @@ struct Shape_fit {
 
 using Shape_fits = std::vector<Shape_fit>;
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H

@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 class Progress {
 public:
@@ -69,8 +67,6 @@ private:
   bool has_thrown_ = false;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H

@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace angles {
 
 constexpr double radians_per_degree = 0.017453292519943295769;
@@ -74,8 +72,6 @@ inline double cosine_deg(double deg)
   return half > 90 ? -c : c;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_ANGLES_H

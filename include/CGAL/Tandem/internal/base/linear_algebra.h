@@ -13,9 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 struct Vector {
   double x, y, z;
@@ -210,8 +208,6 @@ inline Vector unpacked_normal(std::uint32_t code)
   return {double(to_float(n.x)), double(to_float(n.y)), double(to_float(n.z))};
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H

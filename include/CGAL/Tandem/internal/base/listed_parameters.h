@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Each number with its name. Directions come last, since there may be any number of them.
 inline std::vector<std::pair<const char*, double>> listed(const Parameters& p)
@@ -65,8 +63,6 @@ void check_same_parameters(const Ranks& ranks, const Parameters& parameters)
                                     to_text(all[first[r] + i]));
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H

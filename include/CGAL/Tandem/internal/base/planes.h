@@ -8,14 +8,11 @@
 #define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 
 #include <CGAL/Tandem/Coefficients.h>
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The points g with normal . g = offset, in grid steps. The normal is unit.
 struct Regular_plane {
@@ -47,8 +44,6 @@ CGAL_TANDEM_HD inline double bound_motion(const Box& box, const Regular_plane& a
   return (std::max)(std::fabs(low + d), std::fabs(high + d));
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_PLANES_H

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -30,9 +31,7 @@
 #define CGAL_TANDEM_HD
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The conversion to float, for values that are used as double afterwards. It rounds in any case: g++ 12 leaves out
 // conversions to float and back where it vectorizes, and with them the rounding. It keeps those around an assembler
@@ -69,6 +68,34 @@ constexpr std::uint32_t no_index = 0xffffffffu;
 struct Grid_point {
   std::int32_t x, y, z; // steps of the grid, relative to its origin
   std::uint32_t normal; // octahedral, 2 x 16 bits (see encode_normal()); no_normal if there is none
+};
+
+// Bounds of a set of points, in grid steps; both corners belong to the box. Minima and maxima of integers: neither the
+// order of points nor the number of threads can change them. It starts empty, with low > high, and can
+// only grow. When points are taken out of the set it stays a valid bound, though not the tightest one.
+struct Box {
+  std::int32_t low[3] = {(std::numeric_limits<std::int32_t>::max)(), (std::numeric_limits<std::int32_t>::max)(),
+                         (std::numeric_limits<std::int32_t>::max)()};
+  std::int32_t high[3] = {(std::numeric_limits<std::int32_t>::min)(), (std::numeric_limits<std::int32_t>::min)(),
+                          (std::numeric_limits<std::int32_t>::min)()};
+
+  CGAL_TANDEM_HD void add(const Grid_point& p)
+  {
+    const std::int32_t c[3] = {p.x, p.y, p.z};
+    for(int a = 0; a < 3; ++a) {
+      low[a] = c[a] < low[a] ? c[a] : low[a];
+      high[a] = c[a] > high[a] ? c[a] : high[a];
+    }
+  }
+
+  // An empty box changes nothing.
+  CGAL_TANDEM_HD void add(const Box& b)
+  {
+    for(int a = 0; a < 3; ++a) {
+      low[a] = b.low[a] < low[a] ? b.low[a] : low[a];
+      high[a] = b.high[a] > high[a] ? b.high[a] : high[a];
+    }
+  }
 };
 
 // Positions [first, last) in the sorted cloud.
@@ -267,8 +294,6 @@ CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Toler
   return is_near(s, p, t.distance) && is_aligned(s, p, t.squared_cosine);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TYPES_H

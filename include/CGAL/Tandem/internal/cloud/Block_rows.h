@@ -7,12 +7,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Some entries of a row of blocks, a bit each.
 using Block_entries = std::uint16_t;
@@ -107,8 +106,8 @@ private:
 
 template <class Backend>
 struct Block_rows {
-  typename Backend::template Buffer<Block_row> row;
-  typename Backend::template Buffer<Block_entries> of_point;
+  Buffer_of<Backend, Block_row> row;
+  Buffer_of<Backend, Block_entries> of_point;
 
   Block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
     : row(number_of_blocks(cloud.size())), of_point(cloud.size())
@@ -117,8 +116,6 @@ struct Block_rows {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H

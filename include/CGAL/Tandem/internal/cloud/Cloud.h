@@ -3,16 +3,14 @@
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
 // preparation no stage changes it, but for estimated normals: near edges (choose_sides.h), and those that points take from
-// their surfels (surfel_labels.h).
+// their surfels (exact_check.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 
 #include <CGAL/Tandem/internal/base/planes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Caller's coordinates = origin + step * grid coordinates. The step is a power of two, the origin a multiple of it. So
 // a translation of the cloud by multiples of the step does not change the grid coordinates.
@@ -118,8 +116,6 @@ struct Sorted_cloud {
   std::uint32_t first = 0, first_of_points = 0;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H

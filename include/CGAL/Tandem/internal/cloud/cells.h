@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The level of octants that are not split, however many points they have: that of the curve, or the one with as many
 // surfels as a cell may have, each cube of them with all six sides. Larger cubes are at most a seventh more within the
@@ -86,7 +84,7 @@ std::vector<Octant> children_of(Backend& backend, const typename Backend::Sort_t
   using Table = typename Backend::Sort_table::View;
   const int level = parents.front().level + 1, bits = 3 * (curve_bits - level);
   const auto octants = to_buffer(backend, parents);
-  typename Backend::template Buffer<std::uint32_t> bounds(9 * parents.size());
+  Buffer_of<Backend, std::uint32_t> bounds(9 * parents.size());
   backend.for_each(bounds.size(), Find_octants<Table>{order.view(), octants.data(), bits, bounds.data()});
   const std::vector<std::uint32_t> bound = to_vector(backend, bounds);
   std::vector<Octant> children;
@@ -135,8 +133,6 @@ std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_ta
   return cells;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H

@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Sets the origin to the middle of the box, counted in steps and rounded down. So it moves with a cloud that moves by
 // multiples of the step. Coordinates that are too large to be counted are such multiples. Returns false if the cloud
@@ -142,8 +140,6 @@ void put_on_grid(Backend& backend, Import& in, double epsilon)
   backend.for_each(in.size(), place_on_grid(in, in.point.data()));
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_CHOOSE_GRID_H

@@ -7,15 +7,13 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_FAR_POINTS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_FAR_POINTS_H
 
-#include <CGAL/Tandem/internal/base/ordered_bits.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The value that a share of the values of all ranks is below: byte by byte, from counts, which do not depend on the order
 // of the values. There has to be one.
@@ -74,8 +72,6 @@ void drop_far_points(const Ranks& ranks, Import& in, double epsilon)
   join_imports(ranks, in);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_FAR_POINTS_H

@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/backend/concepts.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <CGAL/number_utils.h>
@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which of the points that have just been read are valid, and their bounds.
 
@@ -286,7 +284,7 @@ template <class Traits, class Backend, class Upload = No_upload>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, const Item_reader<Traits>& reader,
                    Upload upload = Upload())
 {
-  static_assert(Is_host_backend<Backend>::value, "the back end is no model of Backend on the host");
+  static_assert(std::is_base_of<Host_memory, Backend>::value, "the range is read on the host");
   using Value = typename Item_reader<Traits>::Value;
   Import in;
   start_import<Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
@@ -332,8 +330,6 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   return in;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H

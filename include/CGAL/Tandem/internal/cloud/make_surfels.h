@@ -13,9 +13,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The points at which a surfel begins: where the code of the sort is another one than before.
 template <class Table>
@@ -116,7 +114,7 @@ struct Gather_points {
 // become those of surfels.
 template <class Backend>
 void make_surfels(Backend& backend, const typename Backend::Sort_table& sorted, Sorted_cloud<Backend>& cloud,
-                  typename Backend::template Buffer<Range>& cells)
+                  Buffer_of<Backend, Range>& cells)
 {
   using Table = typename Backend::Sort_table::View;
   const std::size_t n = cloud.all_points.size();
@@ -133,8 +131,6 @@ void make_surfels(Backend& backend, const typename Backend::Sort_table& sorted, 
   backend.for_each(cells.size(), Place_cell{cloud.surfel.data(), cells.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_MAKE_SURFELS_H

@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the cloud along the Hilbert curve. Only positions are sorted here; engine/sort_points.h moves the points.
+// The order of the cloud along the Hilbert curve. Only positions are sorted here; engine/connect_cloud.h moves the points.
 // The result does not depend on the order of the caller's points.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/types.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
@@ -19,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The Hilbert curve through a cube of 2^21 positions an axis. Each octant of the cube, and each octant of an octant, is
 // one contiguous range of codes. So a cloud in the order of the codes is also in the order of an octree. Consecutive
@@ -323,7 +320,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Unsorted_p
   const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
   if(place.size() == 0)
     return order;
-  typename Backend::template Buffer<Tied_point> buffer(place.size());
+  Buffer_of<Backend, Tied_point> buffer(place.size());
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), points.point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied = to_vector(backend, buffer);
   sort_tied(backend, tied, ties);
@@ -332,8 +329,6 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Unsorted_p
   return order;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H

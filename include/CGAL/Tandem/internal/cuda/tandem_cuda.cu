@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 namespace {
 
@@ -186,6 +184,4 @@ std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
   return there > tables ? (there - tables) / device_bytes_per_point(parameters, has_normals) : 0;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal

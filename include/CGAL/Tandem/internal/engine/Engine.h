@@ -8,13 +8,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
 
-#include <CGAL/Tandem/internal/backend/concepts.h>
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/finish/end_game.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/result/extract_shapes.h>
-#include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
@@ -23,16 +21,11 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The engine on one back end.
 template <class Backend>
 class Engine : public Detection_engine {
-  static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
-  static_assert(Is_ranks<Ranks<Backend>, Backend>::value, "what connects ranks is no model of the concept Ranks");
-
 public:
   // Prepares the first round: see make_engine(). After an exception the engine can only be destroyed.
   Engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress);
@@ -46,8 +39,7 @@ private:
   std::size_t grow();
   std::size_t sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, std::size_t& untried_cells);
   std::size_t growth_of_large_shapes();
-  void drop_fragments();
-  Shape_relations relate_shapes(typename Backend::template Buffer<Link>& links);
+  Shape_relations relate_shapes(Buffer_of<Backend, Link>& links);
   bool is_going_on(std::size_t new_points) const;
 
   std::optional<Kept_pages::Detection> detection_{std::in_place}; // before the tables, which are freed first
@@ -136,6 +128,7 @@ std::size_t Engine<Backend>::growth_of_large_shapes()
   return maximum_large_ - best_before;
 }
 
+// Of more than one pass, and has stopped growing while it is small.
 struct Is_fragment {
   std::int64_t minimum_size;
 
@@ -145,17 +138,9 @@ struct Is_fragment {
   }
 };
 
-// Dissolves shapes of more than one pass that stopped growing while they are small. Their points are free for other
-// shapes, but are no seeds any more.
-template <class Backend>
-void Engine<Backend>::drop_fragments()
-{
-  drop_shapes(state_.points, state_.shapes, Is_fragment{state_.options.minimum_fragment_size});
-}
-
 // Unites touching shapes where that gains, and finds relations. The links get the new ids.
 template <class Backend>
-Shape_relations Engine<Backend>::relate_shapes(typename Backend::template Buffer<Link>& links)
+Shape_relations Engine<Backend>::relate_shapes(Buffer_of<Backend, Link>& links)
 {
   merge_by_gain(state_.points, state_.shapes, state_.options, links);
   const Options& options = state_.options;
@@ -214,7 +199,8 @@ bool Engine<Backend>::iterate()
   progress_.show_rounds(state_.round + .4);
 
   Stage_timer regularity(times_.regularity);
-  drop_fragments();
+  // The points of fragments are free for other shapes, but are no seeds any more.
+  drop_shapes(points, shapes, Is_fragment{options.minimum_fragment_size});
   auto links = collect_links(points, shapes, Links::changed, Phase::loop);
   relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
@@ -259,8 +245,6 @@ std::unique_ptr<Detection_engine> make_engine(Backend& backend, Import& in, cons
   return std::make_unique<Engine<Backend>>(backend, in, parameters, progress);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H

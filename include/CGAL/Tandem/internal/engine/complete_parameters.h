@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 inline std::size_t estimate_minimum_region_size(std::size_t points)
 {
@@ -132,8 +130,6 @@ std::string set_scale(Backend& backend, Import& in, bool has_offset, Parameters&
   return note;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H

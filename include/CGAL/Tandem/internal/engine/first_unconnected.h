@@ -8,59 +8,36 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
-#include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
 
+#include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
-// A union-find by one thread, with halved paths. Roots are the smallest indices.
-class Parents {
-public:
-  explicit Parents(std::size_t n)
-  {
-    for(std::size_t i = 0; i < n; ++i)
-      parent_.push_back(std::uint32_t(i));
+// A union-find by one thread.
+using Parents = Union_find<Shared_parents<Sequential_backend>>;
+
+// Connects a point with its neighbors, and these with each other, where their labels are the same shape.
+inline void unite_around(const Parents& sets, std::uint32_t i, const std::uint32_t* row, std::size_t k,
+                         const std::uint32_t* label)
+{
+  const auto unite_alike = [&](std::uint32_t a, std::uint32_t b) {
+    if(label[a] != free_label && label[a] == label[b])
+      sets.unite(a, b);
+  };
+  for(std::size_t j = 0; j < k && row[j] != no_index; ++j) {
+    unite_alike(i, row[j]);
+    for(std::size_t l = 0; l < j; ++l)
+      unite_alike(row[l], row[j]);
   }
-
-  std::uint32_t root(std::uint32_t i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void unite(std::uint32_t a, std::uint32_t b)
-  {
-    a = root(a);
-    b = root(b);
-    parent_[(std::max)(a, b)] = (std::min)(a, b);
-  }
-
-  // Connects a point with its neighbors, and these with each other, where their labels are the same shape.
-  void unite_around(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::uint32_t* label)
-  {
-    const auto unite_alike = [&](std::uint32_t a, std::uint32_t b) {
-      if(label[a] != free_label && label[a] == label[b])
-        unite(a, b);
-    };
-    for(std::size_t j = 0; j < k && row[j] != no_index; ++j) {
-      unite_alike(i, row[j]);
-      for(std::size_t l = 0; l < j; ++l)
-        unite_alike(row[l], row[j]);
-    }
-  }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
+}
 
 // Of a result: how it was made, its planes, and what it says of the imported points.
 struct Labeled_points {
@@ -154,13 +131,14 @@ std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_p
   const Ranks<Backend>& ranks = points.ranks;
   std::size_t mixed = result.shapes();
   const std::vector<std::uint32_t> label = label_graph(points, in, result, mixed);
-  Parents parents(label.size());
+  std::vector<std::uint32_t> component(label.size());
+  std::iota(component.begin(), component.end(), 0u);
+  const Parents sets = {{component.data()}};
   const Cloud_view view = points.cloud.view();
   for(std::uint32_t i = 0; i < view.size; ++i)
-    parents.unite_around(i, view.row(i), std::size_t(view.k), label.data());
-  std::vector<std::uint32_t> component;
+    unite_around(sets, i, view.row(i), std::size_t(view.k), label.data());
   for(std::uint32_t i = 0; i < label.size(); ++i)
-    component.push_back(parents.root(i));
+    component[i] = sets.root(i);
   Seams<Backend> seams(backend, ranks);
   seams.find(view, label.data(), component.data());
   std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, seams}, view.size, result.shapes());
@@ -177,8 +155,6 @@ std::size_t first_unconnected(Backend& backend, Import& in, const Labeled_points
   return in.total.points == 0 ? result.shapes() : first_unconnected_here(backend, in, result);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H

@@ -12,9 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The noise at a position: that of the nearest patches, weighted by the inverse distance.
 inline double noise_at(const Patch_tree& tree, const Vector& p)
@@ -54,8 +52,6 @@ std::vector<double> estimate_local_distances(Backend& backend, const Import& in)
   return distance;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_LOCAL_DISTANCES_H

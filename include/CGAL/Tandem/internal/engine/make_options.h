@@ -15,9 +15,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The bounds of a test of points; the distance is in grid steps. The result is rounded to integers once, so that all
 // tests of points are exact. epsilon: the part of the distance that is less for points of smaller tolerances.
@@ -87,8 +85,6 @@ inline Options make_options(const Import& in, const Parameters& p)
   return o;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H

@@ -10,9 +10,7 @@
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Bytes of a surfel, with its row of neighbors; and of a point that is not itself one: on the grid, its surfel, and its
 // place among the points of that.
@@ -45,8 +43,6 @@ inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
          (has_normals ? 34 : 108) + cells + 1;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_MEMORY_USE_H

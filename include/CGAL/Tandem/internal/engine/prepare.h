@@ -12,8 +12,7 @@
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
-#include <CGAL/Tandem/internal/engine/sort_points.h>
-#include <CGAL/Tandem/internal/growth/find_border.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
@@ -23,9 +22,7 @@
 
 #include <chrono>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the rounds change. Only prepare() takes all of it; the other stages take the parts that they read and write, so
 // that their signatures show what they may change.
@@ -134,8 +131,6 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   return true;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H

@@ -6,9 +6,7 @@
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 template class Engine<Tbb_backend>;
 template std::unique_ptr<Detection_engine> make_engine(Tbb_backend&, Import&, const Parameters&, Progress&);
@@ -17,6 +15,4 @@ template std::string set_scale(Tbb_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 template Shapes_data export_shapes(Tbb_backend&, const Import&, const Parameters&, const Engine_result&);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal

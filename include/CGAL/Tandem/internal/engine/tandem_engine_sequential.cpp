@@ -8,9 +8,7 @@
 #include <CGAL/Tandem/internal/regularity/relate_planes.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 template class Engine<Sequential_backend>;
 template std::unique_ptr<Detection_engine> make_engine(Sequential_backend&, Import&, const Parameters&, Progress&);
@@ -29,6 +27,4 @@ template bool inspect_points(const Values<double>&, std::size_t, Coordinate_box&
 template void drop_invalid<float>(Import&);
 template void drop_invalid<double>(Import&);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal

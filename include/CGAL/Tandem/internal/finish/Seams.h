@@ -7,7 +7,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
 
-#include <CGAL/Tandem/internal/backend/Host_view.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Union_find.h>
@@ -19,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A union-find of points of any rank, by their numbers. The smallest one of a set is its root.
 class Point_sets {
@@ -220,8 +217,6 @@ private:
   std::vector<Seam> seams_; // by root
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H

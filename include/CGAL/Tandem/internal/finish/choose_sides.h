@@ -15,9 +15,7 @@
 #include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // On which side of a plane the points of another shape lie: the sum of their signed distances, each at most epsilon,
 // and that of the absolute values.
@@ -134,22 +132,15 @@ struct Mark_edge {
 
 // These points, ascending. They are few and take long, so the functors below run over this list, not over all points.
 template <class Backend>
-typename Backend::template Buffer<std::uint32_t> edge_points(Backend& backend, const Edge_view& view)
+Buffer_of<Backend, std::uint32_t> edge_points(Backend& backend, const Edge_view& view)
 {
-  typename Backend::template Buffer<std::uint8_t> is_at_edge(view.cloud.size);
+  Buffer_of<Backend, std::uint8_t> is_at_edge(view.cloud.size);
   backend.for_each(is_at_edge.size(), Mark_edge{view, is_at_edge.data()});
   return backend.compact(is_at_edge.size(), Is_marked{is_at_edge.data()});
 }
 
 // So many of these points are worth a thread.
 constexpr std::size_t edge_points_per_thread = 128;
-
-struct Keep_label {
-  const std::uint32_t* label;
-  std::uint32_t* chosen;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { chosen[i] = label[i]; }
-};
 
 // For each point at an edge: the shape on whose side it lies, and its next normal. Labels and normals are only read, so
 // the order of points does not matter.
@@ -255,8 +246,8 @@ void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
   const auto edge = edge_points(backend, view);
-  typename Backend::template Buffer<std::uint32_t> chosen(n), normal(edge.size());
-  backend.for_each(n, Keep_label{points.label(), chosen.data()});
+  Buffer_of<Backend, std::uint32_t> chosen(n), normal(edge.size());
+  backend.for_each(n, Copy_items<std::uint32_t>{points.label(), chosen.data()});
   backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()}, edge_points_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
@@ -272,14 +263,12 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
   const auto edge = edge_points(backend, view);
-  typename Backend::template Buffer<std::uint32_t> normal(edge.size());
+  Buffer_of<Backend, std::uint32_t> normal(edge.size());
   backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edge_points_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H

@@ -11,8 +11,6 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
-#include <CGAL/Tandem/internal/finish/large_components.h>
-#include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
@@ -20,9 +18,7 @@
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Points of small components become free, so that an assignment can give them to the shapes around: a component of less
 // than the minimum number of points is no shape of the result. Changes labels only. See the manual, "Small Components".
@@ -46,7 +42,7 @@ template <class Backend>
 void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
   const std::size_t n = points.cloud.size();
-  typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
+  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
   auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
   const auto size = component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), seams);
   const Labels_view labels = points.change_labels(true); // lists may have shapes without points
@@ -65,7 +61,7 @@ struct Round_plane {
     if(!shape[id].is_live())
       return;
     plane[id] = rounded(shape[id].plane);
-    shape[id].history.set_checked(shape[id].plane);
+    shape[id].history.checked = shape[id].plane;
   }
 };
 
@@ -184,8 +180,6 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   return relations;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H

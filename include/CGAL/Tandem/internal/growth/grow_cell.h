@@ -8,17 +8,14 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
 
-#include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
-#include <CGAL/Tandem/internal/shapes/Growth_options.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the growth inside one octree cell reads and writes: shapes, seeds, and its scratch memory.
 
@@ -85,15 +82,35 @@ struct Growth_input {
 // the points that have been visited in this pass: first the frontier, then the points that shapes took. Its order is
 // arbitrary, but steps of growth are ranges of it.
 template <class Backend, class Block, class Scratch>
-class Cell_expansion {
-  static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
+class Cell_growth {
+  static_assert(Block::lookahead > 0 && Block::lookahead <= maximum_lookahead,
+                "the scratch has no room for the trials");
 
 public:
-  CGAL_TANDEM_HD Cell_expansion(Block& block, Scratch& scratch, const Growth_input& in)
+  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Growth_input& in)
     : block_(block), s_(scratch), job_(in.job), cloud_(in.cloud), shapes_(in.shapes), options_(in.options),
       label_(in.labels.label), state_(in.labels.state)
   {}
 
+  // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
+  // the points the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
+  CGAL_TANDEM_HD void run()
+  {
+    block_.single([&] { s_.tail = s_.active_count = 0; });
+    collect_frontier();
+    const std::uint32_t old = s_.tail; // from here on, points that have a shape since this pass
+    join_proposals();
+    const bool has_seeds = *job_.seed_cursor < job_.seed_count;
+    if(has_seeds)
+      list_active();
+    expand(0, s_.tail);
+    if(has_seeds)
+      start_shapes();
+    if(old < s_.tail)
+      add_deltas(old, s_.tail);
+  }
+
+private:
   // Queues the points from which shapes go on: those whose neighbors were not visited yet, and all of restarted shapes.
   CGAL_TANDEM_HD void collect_frontier()
   {
@@ -156,7 +173,6 @@ public:
     s_.table.template flush<Backend>(block_, sums);
   }
 
-protected:
   // The origin of the moments of this cell. Any of its points would do.
   CGAL_TANDEM_HD const Grid_point& base() const { return cloud_.point[job_.cell.first]; }
 
@@ -191,53 +207,6 @@ protected:
       push(q);
   }
 
-  Block& block_;
-  Scratch& s_;
-  const Cell_job job_;
-  const Cloud_view cloud_;
-  const Shapes_view shapes_;
-  const Growth_options options_;
-  std::uint32_t* label_;
-  std::uint8_t* state_;
-};
-
-// All members are called by all lanes of the block, but for those that are called within its functors.
-template <class Backend, class Block, class Scratch>
-class Cell_growth : private Cell_expansion<Backend, Block, Scratch> {
-  static_assert(Block::lookahead > 0 && Block::lookahead <= maximum_lookahead,
-                "the scratch has no room for the trials");
-  using Base = Cell_expansion<Backend, Block, Scratch>;
-  using Base::block_;
-  using Base::cloud_;
-  using Base::job_;
-  using Base::label_;
-  using Base::options_;
-  using Base::s_;
-  using Base::shapes_;
-  using Base::state_;
-
-public:
-  using Base::Base;
-
-  // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
-  // the points the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
-  CGAL_TANDEM_HD void run()
-  {
-    block_.single([&] { s_.tail = s_.active_count = 0; });
-    this->collect_frontier();
-    const std::uint32_t old = s_.tail; // from here on, points that have a shape since this pass
-    this->join_proposals();
-    const bool has_seeds = *job_.seed_cursor < job_.seed_count;
-    if(has_seeds)
-      list_active();
-    this->expand(0, s_.tail);
-    if(has_seeds)
-      start_shapes();
-    if(old < s_.tail)
-      this->add_deltas(old, s_.tail);
-  }
-
-private:
   // The distinct shapes of the queue that keep new ones from starting, until the list is full. Restarted shapes do not
   // count: as long as planes still move, they would fill the list round after round. Found by rising id, so the list
   // does not depend on the order of the queue.
@@ -246,7 +215,7 @@ private:
     std::uint32_t next = 0;
     for(int count = 0; count < options_.seeds_in_flight; ++count) {
       const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
-        const std::uint32_t label = label_[this->queued(place)];
+        const std::uint32_t label = label_[queued(place)];
         return label < next || shapes_.is_restarted[label] ? no_index : label;
       });
       if(s == no_index)
@@ -291,7 +260,7 @@ private:
         break; // there were no more
       at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
     }
-    this->expand(first, s_.tail);
+    expand(first, s_.tail);
   }
 
   // Moves the cursor, so that later passes do not visit used candidates again.
@@ -321,7 +290,7 @@ private:
   // A trial with too few points keeps the plane of its seed; its count is then too small as well.
   CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
   {
-    const Grid_point& o = this->base();
+    const Grid_point& o = base();
     // First the points that fit the planes of the seeds, then the new planes, then the cores.
     const std::uint32_t size = block_.find(
       at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
@@ -364,7 +333,7 @@ private:
       const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
       if(j == 0 && (label_[q] != free_label || cloud_.fits(shapes_.plane[shape], q, options_.tolerance)))
         trial.is_candidate = false;
-      if(this->is_own(q) && label_[q] == shape)
+      if(is_own(q) && label_[q] == shape)
         block_.append(trial.lost);
     });
   }
@@ -394,7 +363,7 @@ private:
   // at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
-    return this->is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, options_.tolerance);
+    return is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, options_.tolerance);
   }
 
   // Starts a shape: its core takes the label. The shape grows by one step in this pass: its plane is still uncertain.
@@ -411,13 +380,20 @@ private:
         return;
       label_[q] = shape;
       state_[q] |= frontier_bit;
-      this->push(q);
+      push(q);
     });
   }
+
+  Block& block_;
+  Scratch& s_;
+  const Cell_job job_;
+  const Cloud_view cloud_;
+  const Shapes_view shapes_;
+  const Growth_options options_;
+  std::uint32_t* label_;
+  std::uint8_t* state_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H

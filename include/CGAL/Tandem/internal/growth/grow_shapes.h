@@ -7,7 +7,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/growth/grow_cell.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
@@ -15,12 +17,69 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- The points at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
+// Fills the Border of the cloud, nothing else.
+
+// Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
+// made along that row.
+struct Mark_border {
+  Cloud_view cloud;
+  const Range* cells;
+  std::uint8_t* is_border; // by position
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t* row = cloud.row(cell.first + at);
+      bool has_other = false;
+      for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+        has_other |= row[j] < cell.first || row[j] >= cell.last;
+      is_border[cell.first + at] = has_other;
+    });
+  }
+};
+
+// The entries of `border` that lie in each cell, by binary search: they ascend, and so do the cells.
+struct Find_cell_borders {
+  const Range* cells;
+  const std::uint32_t* border;
+  std::uint32_t size;
+  Range* cell_border;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const
+  {
+    cell_border[c] = {first_from(cells[c].first), first_from(cells[c].last)};
+  }
+
+private:
+  CGAL_TANDEM_HD std::uint32_t first_from(std::uint32_t point) const
+  {
+    return partition_point(0, size, [&](std::uint32_t b) { return border[b] < point; });
+  }
+};
+
+// Finds the border points of all cells. The marks take one byte a point meanwhile, the result 8 bytes a border point.
+template <class Backend>
+void find_border(Labeled_cloud<Backend>& points)
+{
+  Backend& backend = points.backend;
+  Border<Backend>& border = points.border;
+  const std::size_t cells = points.number_of_cells();
+  Buffer_of<Backend, std::uint8_t> mark(points.cloud.size());
+  backend.template for_each_cell<No_scratch>(cells, Mark_border{points.cloud.view(), points.cells.data(), mark.data()});
+  border.point = backend.compact(points.cloud.size(), Is_marked{mark.data()});
+  border.range.reset(cells);
+  backend.for_each(cells, Find_cell_borders{points.cells.data(), border.point.data(),
+                                            std::uint32_t(border.point.size()), border.range.data()});
+  border.proposal.reset(border.point.size());
+}
 
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
-// table of shapes follows in grow_shapes.h. Also: which cells still have many untried seeds.
+// table of shapes follows below. Also: which cells still have many untried seeds.
 
 // The proposal for a free border point: the nearest shape among those of its neighbors that it fits, of equally near
 // ones the smallest id. Labels and planes do not change meanwhile, so the points may come in any order.
@@ -124,9 +183,9 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   const std::size_t cells = points.number_of_cells();
   const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);
   const Cloud_view cloud = points.cloud.view();
-  typename Backend::template Buffer<Plane> plane(ids);
-  typename Backend::template Buffer<std::uint16_t> steps(ids);
-  typename Backend::template Buffer<std::uint8_t> is_restarted(ids);
+  Buffer_of<Backend, Plane> plane(ids);
+  Buffer_of<Backend, std::uint16_t> steps(ids);
+  Buffer_of<Backend, std::uint8_t> is_restarted(ids);
   const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
   backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
                                         shapes.size, view, is_restarted.data()});
@@ -253,8 +312,8 @@ struct Take_growth {
       return;
     s.moments += delta[old].moments();
     s.box.add(delta[old].box);
-    s.history.set_fitted(false);
-    s.history.set_linked(false);
+    s.history.is_fitted = false;
+    s.history.is_linked = false;
     delta[old] = Shared_moments();
   }
 };
@@ -271,24 +330,16 @@ struct Count_grown {
   }
 };
 
-// The sums of shapes that have started.
-struct Get_started {
-  const std::uint32_t* started;
-  const Shared_moments* delta; // from the first new id on
-  Shared_moments* sum;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { sum[i] = delta[started[i]]; }
-};
-
 // Makes the list of the shapes that have started on this rank that of all ranks. The others get ids from `ids` on, with
 // their sums. Returns the end of the ids.
 template <class Backend>
 std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes, std::size_t ids,
-                         typename Backend::template Buffer<std::uint32_t>& started)
+                         Buffer_of<Backend, std::uint32_t>& started)
 {
   const std::vector<std::uint32_t> own = to_vector(backend, started);
-  typename Backend::template Buffer<Shared_moments> sums(own.size());
-  backend.for_each(own.size(), Get_started{started.data(), shapes.delta.data() + shapes.size, sums.data()});
+  Buffer_of<Backend, Shared_moments> sums(own.size());
+  backend.for_each(own.size(),
+                   Gather_items<Shared_moments>{shapes.delta.data() + shapes.size, started.data(), sums.data()});
   std::vector<std::size_t> first;
   const std::vector<Shared_moments> all = ranks.gather(to_vector(backend, sums), &first);
   const std::size_t end = ids + all.size() - own.size(), own_first = first[ranks.share().rank];
@@ -320,7 +371,7 @@ std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_ta
 template <class Backend>
 std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
 {
-  using Ids = typename Backend::template Buffer<std::uint32_t>;
+  using Ids = Buffer_of<Backend, std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
   sum_deltas(backend, points.ranks, shapes);
@@ -333,8 +384,8 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   const bool is_sparse = 2 * live < first_new;
   const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}) : Ids();
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
-  typename Backend::template Buffer<Shape> shape;
-  typename Backend::template Buffer<Plane> plane;
+  Buffer_of<Backend, Shape> shape;
+  Buffer_of<Backend, Plane> plane;
   const bool moves = is_sparse || size > shapes.table().size();
   if(moves) {
     shape.reset(size + size / 2);
@@ -387,7 +438,7 @@ struct Started_shapes : Changed_shapes {
   {
     Changed_shapes::set_made(id);
     plane[id] = rounded(shape[id].local);
-    shape[id].history.set_restarted(shape[id].local);
+    shape[id].history.restarted = shape[id].local;
   }
 };
 
@@ -399,8 +450,6 @@ void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend
   make_fits(points.backend, points.ranks, shapes.size, Started_shapes{{shapes.counted()}, shapes.plane.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H

@@ -23,9 +23,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Memory of the host for large tables. The first touch of new pages takes as long as a pass over the points. So freed
 // tables are kept: those of a detection until its end, and beside a device, where it would take longer than all other
@@ -69,13 +67,13 @@ public:
   public:
     Detection()
     {
-      std::lock_guard<std::mutex> lock(mutex());
+      std::lock_guard<std::mutex> lock(state().mutex);
       if(state().detections++ == 0)
         state().peak = state().used;
     }
     ~Detection()
     {
-      std::lock_guard<std::mutex> lock(mutex());
+      std::lock_guard<std::mutex> lock(state().mutex);
       if(--state().detections == 0)
         free_if([](const Block& block) { return !block.is_for_next_call; });
     }
@@ -86,7 +84,7 @@ public:
   // A kept block, or memory of the system.
   static Block allocate(std::size_t bytes)
   {
-    std::unique_lock<std::mutex> lock(mutex());
+    std::unique_lock<std::mutex> lock(state().mutex);
     Block block = take(bytes);
     count_in_use(block.memory != nullptr ? block.bytes : bytes);
     lock.unlock();
@@ -103,7 +101,7 @@ public:
   // the oldest blocks are freed.
   static void put(Block block) noexcept
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     State& s = state();
     if(has_large_pages(block.bytes))
       s.used -= (std::min)(s.used, block.bytes);
@@ -123,14 +121,14 @@ public:
   // Frees all blocks that are kept; tables in use stay.
   static void release() noexcept
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     free_if([](const Block&) { return true; });
   }
 
   // Of all blocks.
   static std::size_t kept_bytes()
   {
-    std::lock_guard<std::mutex> lock(mutex());
+    std::lock_guard<std::mutex> lock(state().mutex);
     std::size_t sum = 0;
     for(const Block& block : state().blocks)
       sum += block.bytes;
@@ -139,6 +137,7 @@ public:
 
 private:
   struct State {
+    std::mutex mutex;               // buffers of several threads may end at the same time
     std::array<Block, 32> blocks;   // the latest first; unused entries have a null pointer
     std::size_t used = 0, peak = 0; // bytes in blocks of large pages: now, and at most since the first detection began
     int detections = 0;
@@ -178,14 +177,7 @@ private:
     free_if([&](const Block& b) { return !b.is_for_next_call && (sum += b.bytes) > s.peak; });
   }
 
-  // Buffers of several threads may end at the same time. Neither is destroyed at the end of the program, when there may
-  // still be tables.
-  static std::mutex& mutex()
-  {
-    static std::mutex& m = *new std::mutex;
-    return m;
-  }
-
+  // Not destroyed at the end of the program, when there may still be tables.
   static State& state()
   {
     static State& s = *new State;
@@ -281,8 +273,6 @@ private:
   Host_buffer<Entry> entries_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H

@@ -15,9 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 template <class Local>
 class Mpi_backend : public Local {
@@ -39,8 +37,6 @@ struct Stage_overrides<Mpi_backend<Local>> : Stage_overrides<Local> {};
 template <class Local>
 using Search_host = typename std::conditional<std::is_base_of<Host_memory, Local>::value, Local, Parallel_host>::type;
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H

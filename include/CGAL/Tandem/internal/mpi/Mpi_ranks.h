@@ -8,16 +8,13 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 
-#include <CGAL/Tandem/internal/backend/Host_view.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/neighbors/Ghosts.h>
 
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 template <class Local>
 class Ranks<Mpi_backend<Local>> {
@@ -144,8 +141,6 @@ private:
   std::shared_ptr<Ghosts<Backend>> ghosts_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H

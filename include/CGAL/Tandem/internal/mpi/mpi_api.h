@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_API_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_API_H
 
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 
 #include <cstddef>
@@ -14,9 +14,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 struct Labeled_points;
 
@@ -35,8 +33,6 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& h
 template <class Local>
 std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MPI_API_H

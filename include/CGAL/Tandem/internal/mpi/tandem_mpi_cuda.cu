@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
 #include <CGAL/Tandem/internal/mpi/mpi_api.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& host, Import& in,
                                                    const Parameters& parameters, Progress& progress)
@@ -26,6 +24,4 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& h
     [&] { return std::make_unique<Mpi_engine<Cuda_backend>>(host, in, parameters, progress); });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal

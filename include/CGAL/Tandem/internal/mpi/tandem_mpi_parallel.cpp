@@ -6,9 +6,7 @@
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 using Backend = Mpi_backend<Tbb_backend>;
 
@@ -18,6 +16,4 @@ template Distance_estimate complete_parameters(Backend&, const Import&, bool, Pa
 template std::string set_scale(Backend&, Import&, bool, Parameters&);
 template Shapes_data export_shapes(Backend&, const Import&, const Parameters&, const Engine_result&);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal

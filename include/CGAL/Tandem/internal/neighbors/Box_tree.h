@@ -8,14 +8,13 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/neighbors/Float8.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Eight points or boxes fill a Float8, so a bucket or the children of a node are tested at once.
 constexpr std::uint32_t bucket_bits = 3;
@@ -191,12 +190,10 @@ private:
   int levels_ = 0;
   std::size_t begin_[maximum_levels];   // first block of siblings, by level
   std::uint32_t count_[maximum_levels]; // nodes, by level
-  typename Backend::template Buffer<Point_bucket> bucket_;
-  typename Backend::template Buffer<Sibling_boxes> siblings_;
+  Buffer_of<Backend, Point_bucket> bucket_;
+  Buffer_of<Backend, Sibling_boxes> siblings_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H

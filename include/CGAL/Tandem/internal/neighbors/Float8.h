@@ -15,9 +15,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 #ifdef __SSE2__
 
@@ -151,8 +149,6 @@ inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask
 // A compiler may contract this to fma, which rounds less often. The error bounds of the users still hold.
 inline Float8 squared_length8(const Float8& x, const Float8& y, const Float8& z) { return x * x + y * y + z * z; }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_FLOAT8_H

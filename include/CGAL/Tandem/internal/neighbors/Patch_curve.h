@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The plane of a sampled point and its neighbors, and the same over growing neighborhoods: first of few and of more
 // nearest neighbors, then of as many in samples that are thinned to a quarter, and so reach twice as far, each time.
@@ -138,30 +136,29 @@ inline double quantile(std::vector<double>& values, double q)
   return *nth;
 }
 
+// What is found of one patch. Lengths are in grid steps.
+struct Patch_measure {
+  double noise = -1;           // -1: no surface
+  double spacing = 0;          // copies count once; that of space where there is no surface
+  double places_per_point = 1; // at the first level
+  std::size_t first = 0;       // the level that shows the surface first
+  std::size_t exact = 0;       // how many of the smallest neighborhoods have no residual against the noise, ...
+  std::size_t measured = 0;    // ... and how many there are
+  bool has_sheets = false, bends = false;
+  int flat = 0; // levels with the first residual
+
+  bool has_surface() const { return noise >= 0; }
+  // Whether the residual is the same over several radii.
+  bool is_flat() const { return flat > 1; }
+};
+
 // The patches of a sample: so many points along the curve each. Evaluates one after the other, on one thread.
 class Patch_curve {
 public:
   explicit Patch_curve(const std::vector<Plane_level>& levels) : levels_(levels) {}
 
   // Follows the curve of a patch.
-  void follow(std::size_t patch);
-
-  bool has_surface() const { return noise_ >= 0; }
-  // The level that shows it first.
-  std::size_t first() const { return first_; }
-  // In grid steps. Copies count once in the spacing, which is that of space where there is no surface.
-  double noise() const { return noise_; }
-  double spacing() const { return spacing_; }
-  // Places of a point there.
-  double places_per_point() const { return places_per_point_; }
-  bool has_sheets() const { return has_sheets_; }
-  bool bends() const { return bends_; }
-  // Whether the residual is the same over several radii.
-  bool is_flat() const { return flat_ > 1; }
-
-  // How many of the smallest neighborhoods have no residual against the noise, and how many there are.
-  std::size_t exact() const { return exact_; }
-  std::size_t measured() const { return measured_; }
+  Patch_measure follow(std::size_t patch);
 
 private:
   // Medians over the planes of a patch at one level.
@@ -212,9 +209,9 @@ private:
   }
 
   // By how many of its residuals the planes of a level leave those of the first one along their radius.
-  double tilt(std::size_t level)
+  double tilt(std::size_t level, std::size_t first)
   {
-    const Plane_level &coarse = levels_[level], &fine = levels_[first_];
+    const Plane_level &coarse = levels_[level], &fine = levels_[first];
     return median(level, [&](std::uint32_t i) {
       const Local_plane& p = coarse.plane[i];
       const Local_plane& q = fine.plane[std::size_t(i) << (2 * (coarse.thinnings - fine.thinnings))];
@@ -230,85 +227,77 @@ private:
     return median(level, [&](std::uint32_t i) { return 1.73 * plane[i].radius / std::sqrt(plane[i].places - 1.); });
   }
 
-  void count_exact();
+  void count_exact(Patch_measure& m) const;
 
   const std::vector<Plane_level>& levels_;
   std::vector<double> value_;
-  std::size_t patch_ = 0, first_ = 0, exact_ = 0, measured_ = 0;
-  int flat_ = 0; // levels
-  double noise_ = -1, spacing_ = 0, places_per_point_ = 1;
-  bool has_sheets_ = false, bends_ = false;
+  std::size_t patch_ = 0;
 };
 
 // Only planes along the surface count: points of one scan line may lie on a plane across it.
-inline void Patch_curve::count_exact()
+inline void Patch_curve::count_exact(Patch_measure& m) const
 {
   using namespace tuning::estimation;
-  const Plane_level& surface = levels_[first_];
+  const Plane_level& surface = levels_[m.first];
   const Range range = planes(0);
   for(std::uint32_t i = range.first; i < range.last; ++i) {
     const Local_plane& p = levels_[0].plane[i];
     const Local_plane& q = surface.plane[i >> (2 * surface.thinnings)];
     if(p.places == 0 || q.places == 0)
       continue;
-    ++measured_;
-    exact_ +=
-      p.residual < step_flatness * noise_ && p.thickness < step_flatness && std::fabs(dot(p.normal, q.normal)) > .7;
+    ++m.measured;
+    m.exact +=
+      p.residual < step_flatness * m.noise && p.thickness < step_flatness && std::fabs(dot(p.normal, q.normal)) > .7;
   }
 }
 
-inline void Patch_curve::follow(std::size_t patch)
+inline Patch_measure Patch_curve::follow(std::size_t patch)
 {
   using namespace tuning::estimation;
   patch_ = patch;
-  noise_ = -1;
-  spacing_ = 0;
-  exact_ = measured_ = 0;
-  flat_ = 0;
-  has_sheets_ = bends_ = false;
+  Patch_measure m;
   double first_residual = 0, sum = 0, last = 0;
   int bent = 0;
   Summary before;
   bool was_thick = false, has_left = false, has_steps = false;
   for(std::size_t l = 0; l < levels_.size() && !has_steps; ++l) {
     const Summary s = summary(l);
-    if(spacing_ == 0)
-      spacing_ = spacing(l);
+    if(m.spacing == 0)
+      m.spacing = spacing(l);
     const bool is_surface = s.is_surface(before);
     before = s;
     if(!is_surface) {
-      was_thick = has_left = has_surface();
+      was_thick = has_left = m.has_surface();
       continue;
     }
-    if(!has_surface()) {
-      first_ = l;
-      spacing_ = spacing(l);
-      places_per_point_ = median(l, [&](std::uint32_t i) { return levels_[l].places_per_point(i); });
-      first_residual = noise_ = s.residual;
+    if(!m.has_surface()) {
+      m.first = l;
+      m.spacing = spacing(l);
+      m.places_per_point = median(l, [&](std::uint32_t i) { return levels_[l].places_per_point(i); });
+      first_residual = m.noise = s.residual;
     }
     if(!has_left && s.residual <= flat_growth * first_residual) {
       sum += s.residual;
-      noise_ = sum / ++flat_;
+      m.noise = sum / ++m.flat;
     } else {
       has_left = true;
       has_steps = first_residual < step_flatness * s.residual &&
-                  levels_[l].thinnings <= levels_[first_].thinnings + step_thinnings && tilt(l) >= step_tilt;
+                  levels_[l].thinnings <= levels_[m.first].thinnings + step_thinnings && tilt(l, m.first) >= step_tilt;
       if(has_steps)
-        noise_ = s.residual;
-      has_sheets_ |= was_thick && last > flat_growth * first_residual && s.residual < flat_growth * last;
+        m.noise = s.residual;
+      m.has_sheets |= was_thick && last > flat_growth * first_residual && s.residual < flat_growth * last;
       bent = !was_thick && s.residual > 2 * last ? bent + 1 : 0;
-      bends_ |= bent == 2;
+      m.bends |= bent == 2;
     }
     last = s.residual;
   }
-  if(has_surface())
-    count_exact();
-  if(measured_ > 0 && step_neighborhoods.is_reached(std::int64_t(exact_), std::int64_t(measured_)))
-    noise_ *= step_margin;
+  if(m.has_surface())
+    count_exact(m);
+  if(m.measured > 0 && step_neighborhoods.is_reached(std::int64_t(m.exact), std::int64_t(m.measured)))
+    m.noise *= step_margin;
+  return m;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_PATCH_CURVE_H

@@ -15,17 +15,8 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace normals {
-
-// Each point starts with its own candidate: source[i] = i.
-struct Own {
-  std::uint32_t* source;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { source[i] = std::uint32_t(i); }
-};
 
 // The vector from the center of the plane of candidate s to p.
 CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t s, const Grid_point& p)
@@ -209,11 +200,11 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
   using namespace normals;
   const std::size_t n = cloud.size, with_ghosts = n + cloud.ghosts;
   Ghost_candidates<Backend> ghosts(backend, ranks, cloud);
-  typename Backend::template Buffer<Candidate> candidate(ghosts.size());
+  Buffer_of<Backend, Candidate> candidate(ghosts.size());
   Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
   w.owner = ghosts.owner(cloud);
   {
-    typename Backend::template Buffer<Neighborhood> current(with_ghosts), next(n);
+    Buffer_of<Backend, Neighborhood> current(with_ghosts), next(n);
     w.current = current.data();
     w.next = next.data();
     backend.for_each(n, Start{w});
@@ -224,8 +215,8 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
       ranks.refresh(w.current, Rings::inner);
     }
   }
-  typename Backend::template Buffer<std::uint32_t> source(with_ghosts), next_source(with_ghosts);
-  backend.for_each(n, Own{source.data()});
+  Buffer_of<Backend, std::uint32_t> source(with_ghosts), next_source(with_ghosts);
+  backend.for_each(n, Fill_ascending{source.data()}); // each point starts with its own candidate
   ghosts.renew(w, source.data());
   for(int pass = 0; pass < adoption_passes; ++pass) {
     backend.for_each(n, Take_neighbor_plane{w, source.data(), next_source.data()});
@@ -236,8 +227,6 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
   ranks.refresh(point, Rings::all);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H

@@ -17,9 +17,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The nearest points found so far of up to eight query points, the queries, side by side. Distances are compared in
 // float, with a margin. Where they differ by less than the margin, integers decide. So the result is exact.
@@ -392,30 +390,16 @@ private:
   Range window_ = {0, 0};
 };
 
-// Fills the rows of neighbors of the buckets [first, last), for one thread. Rows of different buckets do not overlap.
-template <class Tree, int K>
-class Find_bucket_neighbors {
-public:
-  Find_bucket_neighbors(const Tree& tree, int k, std::uint32_t* out) : tree_(tree), k_(k), out_(out) {}
-
-  void operator()(std::size_t first, std::size_t last) const
-  {
-    Bucket_search<Tree, K> search(tree_, k_);
-    for(std::size_t bucket = first; bucket < last; ++bucket)
-      search(std::uint32_t(bucket), out_ + bucket * bucket_size * std::size_t(k_));
-  }
-
-private:
-  const Tree& tree_;
-  int k_;
-  std::uint32_t* out_;
-};
-
+// Fills the rows of neighbors of all buckets. Those of different buckets do not overlap.
 template <class Backend, int K>
 void find_bucket_neighbors(Backend& backend, const Box_tree<Backend>& tree, int k, std::uint32_t* out)
 {
   constexpr std::size_t grain = 64;
-  backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Box_tree<Backend>, K>(tree, k, out));
+  backend.for_each_piece(tree.count(0), grain, [&](std::size_t first, std::size_t last) {
+    Bucket_search<Box_tree<Backend>, K> search(tree, k);
+    for(std::size_t bucket = first; bucket < last; ++bucket)
+      search(std::uint32_t(bucket), out + bucket * bucket_size * std::size_t(k));
+  });
 }
 
 // Writes the neighbors of each point i of the sorted cloud to the row out[i k], ... out[i k + k - 1]. They are the k
@@ -446,8 +430,6 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H

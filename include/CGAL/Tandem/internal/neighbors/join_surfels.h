@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/cloud/make_surfels.h>
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Which surfel i would join: the heaviest of its cell among itself and its neighbors of the same side from whose center
 // the points of both are less than the edge of a surfel. Ties go to the first one.
@@ -115,12 +113,12 @@ struct Points_of_cell {
 // Joins them where that is worth a second search of neighbors; returns whether it has. The rows are those of before.
 template <class Backend>
 bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
-                  typename Backend::template Buffer<Range>& cells, const Surfel_cells& surfel_cells)
+                  Buffer_of<Backend, Range>& cells, const Surfel_cells& surfel_cells)
 {
   using View = typename Backend::Sort_table::View;
   if(!cloud.has_surfels()) // the same on all ranks
     return false;
-  typename Backend::template Buffer<std::uint32_t> target(cloud.size());
+  Buffer_of<Backend, std::uint32_t> target(cloud.size());
   backend.template for_each_cell<No_scratch>(cells.size(),
                                              Choose_target{{cloud.view(), surfel_cells}, cells.data(), target.data()});
   const std::size_t staying = ranks.total(backend.compact(cloud.size(), Stays_surfel{target.data()}).size());
@@ -132,9 +130,9 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
   backend.for_each(n, Write_joined<View>{cloud.surfel.data(), target.data(), table.view()});
   backend.sort(table);
   backend.for_each(cells.size(), Points_of_cell{cloud.surfels(), cells.data()});
-  typename Backend::template Buffer<std::uint32_t> order(n);
-  typename Backend::template Buffer<Grid_point> point(n);
-  typename Backend::template Buffer<std::uint8_t> level(cloud.level_of_point.size());
+  Buffer_of<Backend, std::uint32_t> order(n);
+  Buffer_of<Backend, Grid_point> point(n);
+  Buffer_of<Backend, std::uint8_t> level(cloud.level_of_point.size());
   backend.for_each(n, Gather_points<View>{table.view(),
                                           {cloud.all_points.data(), cloud.order.data(), cloud.all_levels()},
                                           {point.data(), order.data(), level.data()}});
@@ -146,8 +144,6 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
   return true;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H

@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Which neighbors have the side of a point. Integers and exact doubles, so that all back ends decide alike.
 class Own_side {
@@ -113,7 +111,7 @@ void keep_to_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<B
 {
   const double distance = double(tight.distance) / normal_scale;
   const Cloud_view cloud = sorted.view();
-  typename Backend::template Buffer<std::uint32_t> weight(sorted.size_with_ghosts());
+  Buffer_of<Backend, std::uint32_t> weight(sorted.size_with_ghosts());
   backend.for_each(cloud.size, Write_weight{cloud.surfels, weight.data()});
   ranks.refresh(weight.data(), Rings::inner);
   const auto own = backend.template sum<2>(cloud.size, Count_sides{cloud, weight.data(), distance});
@@ -122,8 +120,6 @@ void keep_to_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<B
     backend.for_each(cloud.size, Drop_opposite{cloud, distance, sorted.neighbor.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_KEEP_TO_SIDES_H

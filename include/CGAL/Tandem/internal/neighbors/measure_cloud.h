@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What measure_cloud.h finds.
 
@@ -187,14 +185,6 @@ void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud
   m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ);
 }
 
-// What is found of one patch.
-struct Patch_measure {
-  double noise = -1, spacing = 0; // in grid steps; -1: no surface
-  double places_per_point = 1;
-  std::size_t first = 0, exact = 0, measured = 0;
-  bool has_sheets = false, bends = false, is_flat = false;
-};
-
 template <class Backend>
 std::vector<Patch_measure> measure_patches(Backend& backend, const std::vector<Plane_level>& levels)
 {
@@ -202,12 +192,8 @@ std::vector<Patch_measure> measure_patches(Backend& backend, const std::vector<P
   std::vector<Patch_measure> measure(levels.empty() ? 0 : (levels[0].plane.size() + size - 1) / size);
   backend.for_each_piece(measure.size(), 64, [&](std::size_t first, std::size_t last) {
     Patch_curve curve(levels);
-    for(std::size_t i = first; i < last; ++i) {
-      curve.follow(i);
-      measure[i] = {curve.noise(),      curve.spacing(), curve.places_per_point(),
-                    curve.first(),      curve.exact(),   curve.measured(),
-                    curve.has_sheets(), curve.bends(),   curve.is_flat()};
-    }
+    for(std::size_t i = first; i < last; ++i)
+      measure[i] = curve.follow(i);
   });
   return measure;
 }
@@ -285,15 +271,13 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
       m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
                           std::fma(p.z, grid.step, grid.origin.z)},
                          patches[i].noise * grid.step});
-      if(patches[i].is_flat)
+      if(patches[i].is_flat())
         flat.push_back(m.patch.back());
     }
   measure_variation(backend, std::move(flat), m);
   return m;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H

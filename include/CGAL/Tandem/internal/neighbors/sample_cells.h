@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Whether a point is in a box.
 inline bool is_inside(const Coordinate_box& box, const Vector& p)
@@ -211,8 +209,6 @@ Cell_sample sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
   return sample;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_SAMPLE_CELLS_H

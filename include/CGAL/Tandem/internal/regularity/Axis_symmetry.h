@@ -9,16 +9,14 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
 
 #include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The angle between a direction and an axis, in [0, 90] degrees, as a unit vector.
 struct Axis_angle {
@@ -154,8 +152,6 @@ private:
   Great_circle_index circles; // of the directions of all groups, before any turns
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H

@@ -16,9 +16,7 @@
 #include <numeric>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Stars of groups of parallel shapes (section 4.2 of the paper): a master and its followers, which are nearly
 // orthogonal to it. Found greedily, by the weight of the groups. Nothing is changed.
@@ -276,8 +274,6 @@ private:
   Fixed_directions fixed;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H

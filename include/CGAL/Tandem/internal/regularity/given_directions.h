@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
@@ -17,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Unit and canonical in sign. Any length that is finite and not null will do.
 inline Vector given_direction(const std::array<double, 3>& d)
@@ -125,8 +122,6 @@ inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, c
   return result;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H

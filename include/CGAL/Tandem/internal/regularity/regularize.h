@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that this
 // saves is worth more than what their points lose. Directions stay. See the manual, "Relations by Price".
@@ -363,8 +361,6 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
   return r;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H

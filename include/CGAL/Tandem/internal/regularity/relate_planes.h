@@ -11,16 +11,14 @@
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
 #include <limits>
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Planes that another method has found, with their points on the grid, as input of the regularity step. Computes fits
 // and an estimate of epsilon. It is for relate_planes() only; the detection has fits of its own. Nothing is changed here.
@@ -69,49 +67,41 @@ inline double estimate_maximum_distance(const Import& in, const std::vector<int>
 }
 
 // The shapes are the planes, in the caller's order.
-class Input_planes {
-public:
-  // plane_of: by imported point, -1 if it has none. The points must be on the grid: see put_on_grid().
-  Input_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes)
-  {
-    std::vector<Moments> moments(planes.size());
-    for(std::size_t i = 0; i < plane_of.size(); ++i)
-      if(plane_of[i] >= 0)
-        moments[std::size_t(plane_of[i])].add(in.point[i]);
-    for(std::size_t s = 0; s < planes.size(); ++s)
-      add_plane(planes[s], moments[s]);
-  }
-
-  const Shape_fits& fits() const { return fits_; }
-
-  // By shape: planes without a normal, or with points that determine no plane, get no relations.
-  const std::vector<char>& is_excluded() const { return is_excluded_; }
+struct Input_planes {
+  Shape_fits fits;
+  std::vector<char> is_excluded; // by shape: without a normal, or with points that determine no plane; no relations
 
   // The points of the smallest of the others; 0 if there is none.
   double smallest_size() const
   {
     double smallest = 0;
-    for(std::size_t s = 0; s < fits_.size(); ++s)
-      if(!is_excluded_[s] && (smallest == 0 || fits_[s].scatter.count < smallest))
-        smallest = fits_[s].scatter.count;
+    for(std::size_t s = 0; s < fits.size(); ++s)
+      if(!is_excluded[s] && (smallest == 0 || fits[s].scatter.count < smallest))
+        smallest = fits[s].scatter.count;
     return smallest;
   }
-
-private:
-  // Fits the points of plane s. Points on a line, of a second eigenvalue near 0, determine no plane.
-  void add_plane(const Coefficients& c, const Moments& moments)
-  {
-    const Scatter scatter = make_scatter(moments);
-    const Eigen_system e = eigen_system(scatter.matrix);
-    const Vector n = {c[0], c[1], c[2]};
-    fits_.push_back({scatter, fit_plane(scatter)});
-    is_excluded_.push_back(!(dot(n, n) > 0) || moments.count < 3 ||
-                           !(e.value[1] > tuning::exactness::minimum_width_ratio2 * e.value[2]));
-  }
-
-  Shape_fits fits_;
-  std::vector<char> is_excluded_;
 };
+
+// plane_of: by imported point, -1 if it has none. The points must be on the grid: see put_on_grid(). Points on a line, of
+// a second eigenvalue near 0, determine no plane.
+inline Input_planes input_planes(const Import& in, const std::vector<int>& plane_of,
+                                 const std::vector<Coefficients>& planes)
+{
+  std::vector<Moments> moments(planes.size());
+  for(std::size_t i = 0; i < plane_of.size(); ++i)
+    if(plane_of[i] >= 0)
+      moments[std::size_t(plane_of[i])].add(in.point[i]);
+  Input_planes given;
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    const Scatter scatter = make_scatter(moments[s]);
+    const Eigen_system e = eigen_system(scatter.matrix);
+    const Vector n = {planes[s][0], planes[s][1], planes[s][2]};
+    given.fits.push_back({scatter, fit_plane(scatter)});
+    given.is_excluded.push_back(!(dot(n, n) > 0) || moments[s].count < 3 ||
+                                !(e.value[1] > tuning::exactness::minimum_width_ratio2 * e.value[2]));
+  }
+  return given;
+}
 
 // Without points, or without noise and offset, any positive length serves.
 inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
@@ -196,10 +186,10 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   put_on_grid(backend, in, options.maximum_distance);
   options.maximum_distance /= in.grid.step;
   options.maximum_offset /= in.grid.step;
-  const Input_planes given(in, plane_of, planes);
+  const Input_planes given = input_planes(in, plane_of, planes);
   options.freedom.least *= given.smallest_size();
-  const Relations r = regularize(given.fits(), given.is_excluded(), options);
-  const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
+  const Relations r = regularize(given.fits, given.is_excluded, options);
+  const std::vector<char> is_unrelated = find_unrelated(r, given.fits);
   const std::vector<Coefficients> old = planes;
   planes = related_planes(r, old, is_unrelated, in.grid);
   result.parallel_group = r.direction_of;
@@ -215,8 +205,6 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   return result;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_RELATE_PLANES_H

@@ -8,18 +8,48 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_RELATIONS_H
 
 #include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
+#include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
-#include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- Directions are unit normals without orientation: their signs, distances and rounding.
+
+// The one of n and -n whose last nonzero coordinate is positive. Adding 0 removes negative zeros, so that equal
+// directions have equal bits.
+inline Vector canonical(const Vector& n)
+{
+  const bool is_opposite = n.z < 0 || (n.z == 0 && (n.y < 0 || (n.y == 0 && n.x < 0)));
+  const Vector m = is_opposite ? -n : n;
+  return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
+}
+
+// A normal on a grid of 2^-24, which is less than 4e-6 degrees. Products of coordinates and of their differences are
+// exact then. So contraction cannot change a sum, and no std::fma is needed: a call on plain x86-64.
+inline Vector rounded_normal(const Vector& n)
+{
+  const double scale = double(1 << 24);
+  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale,
+          double(llrint(n.z * scale)) / scale};
+}
+
+inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// The squared sine of the angle of two unit vectors.
+inline double squared_sine(const Vector& a, const Vector& b)
+{
+  const Vector c = cross(a, b);
+  return dot(c, c);
+}
+
+// --- The relations.
 
 // For a given normal, the plane with the least sum of squared distances.
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
@@ -52,8 +82,6 @@ struct Relations {
   std::vector<char> is_rolled_back;  // by shape: a direction is near, but costs its points too much
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_REGULARITY_RELATIONS_H

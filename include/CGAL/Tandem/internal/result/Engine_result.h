@@ -13,9 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A connected component of the points of one plane. Directions and planes are numbered from 0, in the order in which
 // shapes have them first. The shapes of a plane group have the same four coefficients, bit for bit.
@@ -53,8 +51,6 @@ inline std::vector<Coefficients> planes_of(const Engine_result& result)
   return planes;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H

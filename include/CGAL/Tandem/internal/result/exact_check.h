@@ -10,12 +10,157 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+#include <utility>
+
+namespace CGAL::Tandem::internal {
+
+// --- From the labels of surfels to those of their points: each point has the label of its surfel, or none, as it is checked
+// by itself. And what the result has of points. See the manual, "Exact Check".
+
+// Planes, by label, and bounds for the points of shapes.
+struct Bounded_planes {
+  const Plane* plane;
+  Tolerance tolerance;
+
+  // point p of a surfel
+  CGAL_TANDEM_HD bool hold(std::uint32_t label, const Surfels_view& surfels, std::uint32_t p) const
+  {
+    return fits(plane[label], surfels.point[p], surfels.tolerance_of_point(p, tolerance));
+  }
+};
+
+// Points take the label of their surfel, if they may be within its tolerances, and its normal where normals are
+// estimated.
+struct Spread_surfel {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  Bounded_planes possible;
+  std::uint32_t* point_label;
+  Grid_point* estimated; // the points; null where normals are given
+
+  CGAL_TANDEM_HD void operator()(std::size_t p) const
+  {
+    const std::uint32_t i = cloud.surfels.of_point(std::uint32_t(p));
+    if(estimated != nullptr)
+      estimated[p].normal = cloud.point[i].normal;
+    point_label[p] =
+      label[i] >= first_mark || possible.hold(label[i], cloud.surfels, std::uint32_t(p)) ? label[i] : locked_label;
+  }
+};
+
+// Makes the labels of points. Estimated normals go to the points, too.
+template <class Backend>
+void spread_labels(Labeled_cloud<Backend>& points, const std::uint32_t* label, const Bounded_planes& possible,
+                   bool has_normals, Buffer_of<Backend, std::uint32_t>& point_label)
+{
+  Sorted_cloud<Backend>& cloud = points.cloud;
+  if(!cloud.has_surfels())
+    return;
+  point_label.reset(cloud.number_of_points());
+  points.backend.for_each(point_label.size(), Spread_surfel{cloud.view(), label, possible, point_label.data(),
+                                                            has_normals ? nullptr : cloud.all_points.data()});
+}
+
+// A surfel is free if none of its points has kept its label.
+struct Free_rejected {
+  Labels_of_points labels;
+  std::uint32_t* label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    bool is_kept = false;
+    labels.for_each_point(std::uint32_t(i), [&](std::uint32_t) { is_kept = true; });
+    if(!is_kept)
+      label[i] = free_label;
+  }
+};
+
+// After points have been rejected; labels: of both, label: of the surfels.
+template <class Backend>
+void free_rejected(Labeled_cloud<Backend>& points, const Labels_of_points& labels, std::uint32_t* label)
+{
+  if(points.cloud.has_surfels())
+    points.backend.for_each(points.cloud.size(), Free_rejected{labels, label});
+}
+
+// The next label of each surfel: its own one, or of a free surfel that of the neighbor in whose plane most of its points
+// surely fit, of equal ones the nearest. These points get the label, too. A surfel of one point has been tried by the
+// assignments.
+struct Adopt_surfel {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  Bounded_planes certain;
+  std::uint32_t* next;
+  std::uint32_t* point_label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    next[i] = label[i];
+    if(i >= cloud.size || label[i] < first_mark)
+      return; // of a ghost its owner decides
+    const Range points = cloud.surfels.points(std::uint32_t(i));
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::uint32_t most = 0, last = free_label; // neighbors of one shape often follow each other
+    for(int j = 0; j < cloud.k && row[j] != no_index && points.size() > 1; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == last)
+        continue;
+      last = t;
+      std::uint32_t held = 0;
+      for(std::uint32_t p = points.first; p < points.last; ++p)
+        held += certain.hold(t, cloud.surfels, p);
+      if(held > most) {
+        most = held;
+        next[i] = t;
+      }
+    }
+    for(std::uint32_t p = points.first; p < points.last && most > 0; ++p)
+      if(certain.hold(next[i], cloud.surfels, p))
+        point_label[p] = next[i];
+  }
+};
+
+// A surfel may be free because its mean normal fits nowhere, or its center. Its points may still fit.
+template <class Backend>
+void adopt_surfels(Labeled_cloud<Backend>& points, const Bounded_planes& certain,
+                   Buffer_of<Backend, std::uint32_t>& label, Buffer_of<Backend, std::uint32_t>& point_label)
+{
+  if(!points.cloud.has_surfels())
+    return;
+  Buffer_of<Backend, std::uint32_t> next(label.size());
+  points.backend.for_each(next.size(),
+                          Adopt_surfel{points.cloud.view(), label.data(), certain, next.data(), point_label.data()});
+  label = std::move(next);
+  points.ranks.refresh(label.data(), Rings::inner);
+}
+
+// Of the points that are in shapes, in the order of the imported points; the others have -1.
+struct Write_shapes {
+  Labels_of_points labels;
+  const std::uint32_t* shape; // by surfel
+  const std::uint32_t* order;
+  std::int32_t* shape_of;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    labels.for_each_point(std::uint32_t(i), [&](std::uint32_t p) { shape_of[order[p]] = std::int32_t(shape[i]); });
+  }
+};
+
+// Estimated normals, in the order of the imported points.
+struct Write_normals {
+  const Grid_point* point;
+  const std::uint32_t* order;
+  std::uint32_t* normal;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { normal[order[i]] = point[i].normal; }
+};
+
+// --- The check itself.
 
 // The caller's values, in the order of the imported points.
 struct Caller_view {
@@ -101,7 +246,7 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
                    const Check_exactly& check)
 {
   const auto place = backend.compact(points.size, Is_uncertain{points.of_surfels, points.label, plane, certain});
-  typename Backend::template Buffer<Uncertain_point> buffer(place.size());
+  Buffer_of<Backend, Uncertain_point> buffer(place.size());
   backend.for_each(place.size(),
                    Gather_uncertain{points.of_surfels, points.label, points.origin, place.data(), buffer.data()});
   const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer);
@@ -110,8 +255,6 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
   backend.for_each(place.size(), Lock_rejected{place.data(), is_rejected.data(), points.label});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H

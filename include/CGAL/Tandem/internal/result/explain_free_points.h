@@ -10,15 +10,12 @@
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which shapes are slabs of clutter: few neighbors of their points are near their plane, whatever their shape. The price
 // of links cannot remove them, since slabs hold each other. Counts and decides only; extract_shapes.h frees the points.
@@ -192,8 +189,6 @@ Free_points explain_free_points(Labeled_cloud<Backend>& points, const Final_shap
   return counts;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H

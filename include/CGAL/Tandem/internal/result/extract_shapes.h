@@ -9,22 +9,18 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/components.h>
-#include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/result/exact_check.h>
 #include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/result/measure_planes.h>
 #include <CGAL/Tandem/internal/result/measure_shapes.h>
-#include <CGAL/Tandem/internal/result/surfel_labels.h>
-#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The planes of the relations in the caller's coordinates, by plane of the relations.
 inline std::vector<Coefficients> caller_planes(const Relations& relations, const Grid& grid)
@@ -289,8 +285,6 @@ Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<B
   return Shape_extractor<Backend>(points, shapes, options, relations, in).extract();
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 
@@ -18,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // For n labels in memory of the host; labels outside of [0, shapes) are left out. A stable counting sort in a few large
 // pieces, so that points ascend in each shape. A piece has at least as many points as there are shapes: all counts
@@ -59,7 +58,7 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
 // Shapes of points and points of shapes move to the result. The buffer is consumed: its memory becomes the table of the
 // result where it can.
 template <class Backend>
-void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
+void take_points(Backend& backend, Buffer_of<Backend, std::int32_t>&& shape_of, std::size_t shapes,
                  Engine_result& result)
 {
   if constexpr(Stage_overrides<Backend>::groups_points)
@@ -70,8 +69,6 @@ void take_points(Backend& backend, typename Backend::template Buffer<std::int32_
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H

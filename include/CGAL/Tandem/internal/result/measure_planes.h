@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -16,9 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Adds s vv'.
 inline void add_outer(double s, const Vector& v, std::array<double, 6>& m)
@@ -118,8 +116,6 @@ void measure_planes(Labeled_cloud<Backend>& points, const Final_shapes& shapes, 
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H

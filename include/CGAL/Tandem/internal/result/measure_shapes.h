@@ -8,13 +8,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
 
-#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Moment_table.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The sums over all points.
 struct Point_measures {
@@ -98,8 +96,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H

@@ -9,10 +9,9 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
-#include <CGAL/Tandem/internal/base/ordered_bits.h>
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/rounds/Shape_sample.h>
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
@@ -23,9 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads no
 // other point. By a group of lanes, which share the points of a sample. See the manual, "Unions".
@@ -444,8 +441,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/score/Score.h>
@@ -17,9 +17,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Which label each point chooses in the passes of an assignment, and which points a pass has to look at. Changes tables
 // of the assignment only. See the manual, "Assignment".
@@ -412,8 +410,6 @@ private:
   Buffer<Block_points> changes_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H

@@ -2,22 +2,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Touching shapes become one where that gains: see Union_gain. Without it slanted surfaces are cut into terraces.
-// Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Changes the table of shapes, labels, states and
-// lists of cells, and the links.
+// Changes the table of shapes, labels, states and lists of cells, and the links. Also: which shapes become one because they
+// have the same plane.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 
+#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
-#include <CGAL/Tandem/internal/rounds/join_members.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
-#include <CGAL/Tandem/internal/shapes/make_fits.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- Sets of shapes that become one: the largest stays, of equal ones that with the smallest id. Changes nothing.
+
+// What a set of shapes becomes; the order of the members does not matter.
+struct Stays {
+  std::uint64_t size = ~std::uint64_t(0); // ~ of the points of the largest shape
+  std::uint32_t id = no_index;
+};
+
+// Three loops over the members of all sets, since each needs all of the one before.
+template <class Backend, class Members>
+struct Join_member {
+  enum Step { largest, smallest_id, join } step;
+  const Shape* shape;
+  Members members;
+  const std::uint32_t* set; // by id: leads to the root of the set
+  Stays* stays;             // by root
+  std::uint32_t* target;    // by id
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(!members.has(std::uint32_t(i)))
+      return;
+    const std::uint32_t id = members.id(std::uint32_t(i));
+    Stays& s = stays[root_of(set, id)];
+    const std::uint64_t size = ~std::uint64_t(shape[id].moments.count);
+    if(step == largest)
+      Backend::atomic_min(s.size, size);
+    else if(step == smallest_id && size == s.size)
+      Backend::atomic_min(s.id, id);
+    else if(step == join)
+      target[id] = s.id;
+  }
+};
+
+// The targets of members.id(i) for the i in [0, n) with members.has(i); all other shapes stay.
+template <class Backend, class Members>
+Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes, std::size_t n, Members members,
+                              const std::uint32_t* set)
+{
+  using Body = Join_member<Backend, Members>;
+  Targets<Backend> target = identity_targets(backend, shapes.size);
+  auto stays = filled_buffer(backend, shapes.size, Stays());
+  for(const auto step : {Body::largest, Body::smallest_id, Body::join})
+    backend.for_each(n, Body{step, shapes.counted(), members, set, stays.data(), target.data()});
+  return target;
+}
+
+// --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
+// points. See the manual, "Unions", last paragraph.
+
+// Live shapes with a plane of the relations, as members of sets: see join_members().
+struct Shapes_with_plane {
+  const Shape* shape;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return shape[id].is_live() && shape[id].plane_number >= 0; }
+  CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return i; }
+};
+
+// Unites the shapes of a link that have one plane.
+template <class Backend>
+struct Unite_coplanar {
+  const Shape* shape;
+  const Link* link;
+  std::uint32_t* set;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t a = link[i].first(), b = link[i].second();
+    if(shape[a].plane_number >= 0 && shape[a].plane_number == shape[b].plane_number)
+      Union_find<Shared_parents<Backend>>{{set}}.unite(a, b);
+  }
+};
+
+// The targets of that merge. Planes are compared by their number in the relations, so equal ones are the same bits.
+template <class Backend>
+Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes,
+                                  const Buffer_of<Backend, Link>& links)
+{
+  Targets<Backend> set = identity_targets(backend, shapes.size);
+  backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.table().data(), links.data(), set.data()});
+  return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.counted()}, set.data());
+}
 
 // --- The unions of touching shapes, by all ranks. Changes nothing but tables of its own, where the functors run.
 
@@ -138,8 +220,7 @@ struct Union_judge {
 // afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
-                                   const Union_judge<Backend>& judge,
-                                   const typename Backend::template Buffer<Link>& links)
+                                   const Union_judge<Backend>& judge, const Buffer_of<Backend, Link>& links)
 {
   Shape_unions<Backend> unions;
   if(links.size() == 0)
@@ -148,7 +229,7 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   unions.target.reset(n);
   unions.root.reset(n);
   unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
-  typename Backend::template Buffer<Union_pair> pair(links.size());
+  Buffer_of<Backend, Union_pair> pair(links.size());
   auto joins = filled_buffer(backend, 2, std::uint32_t(0));
   unions.total = filled_buffer(backend, 2, std::uint32_t(0));
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
@@ -183,7 +264,7 @@ struct Relabel_link {
 // may have several links, or become a pair of one shape with itself.
 template <class Backend>
 void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                   typename Backend::template Buffer<Link>& links)
+                   Buffer_of<Backend, Link>& links)
 {
   Backend& backend = points.backend;
   require(points, shapes, tables::fits);
@@ -198,8 +279,6 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H

@@ -9,16 +9,37 @@
 #define CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
-#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- The relations of the shapes, and what the regularity step reads and writes.
+
+// What the regularity step reads of a shape, on the host.
+struct Shape_summary {
+  std::uint64_t id; // wide, so that all bytes are defined where summaries are copied
+  Shape_fit fit;
+};
+
+// What it writes.
+struct Regular_shape {
+  Regular_plane plane;
+  std::int64_t plane_number;
+};
+
+// The relations of some shapes: those of shape id[i] are the entries i. The ids are valid until the next pass of
+// growth, which may renumber the shapes.
+struct Shape_relations {
+  std::vector<std::uint32_t> id;
+  Relations relations;
+};
+
+// --- The step itself.
 
 // All shapes are at their local planes afterwards.
 struct Take_local {
@@ -93,9 +114,9 @@ inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r
 // On the host, what the regularity step reads of the shapes with these ids. All have to be fitted.
 template <class Backend>
 std::vector<Shape_summary> summarize(Backend& backend, Shape_table<Backend>& shapes,
-                                     const typename Backend::template Buffer<std::uint32_t>& ids)
+                                     const Buffer_of<Backend, std::uint32_t>& ids)
 {
-  typename Backend::template Buffer<Shape_summary> summaries(ids.size());
+  Buffer_of<Backend, Shape_summary> summaries(ids.size());
   backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), summaries.data()}, shapes_per_thread);
   return to_vector(backend, summaries);
 }
@@ -131,8 +152,6 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   return r;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H

@@ -9,17 +9,14 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
 
-#include <CGAL/Tandem/internal/rounds/Shape_sample.h>
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What two planes in place of one gain, see score/Score.h, by a sample of the points of the shape. Changes nothing. See
 // the manual, "Splits".
@@ -275,7 +272,7 @@ struct Count_cut {
   std::uint64_t* cut; // by candidate
 
   template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
   {
     const auto is_split = [&](std::uint32_t s) {
       return candidate_of[s] != no_index && split[candidate_of[s] * Split_gain::starts].gain > 0;
@@ -375,8 +372,8 @@ void reserve_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t 
 // Splits by the accepted candidates.
 template <class Backend>
 struct Found_splits {
-  typename Backend::template Buffer<std::uint32_t> id, accepted;
-  typename Backend::template Buffer<Split> split;
+  Buffer_of<Backend, std::uint32_t> id, accepted;
+  Buffer_of<Backend, Split> split;
 };
 
 template <class Backend>
@@ -388,9 +385,9 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   found.id = backend.compact(shapes.size, May_split{shapes.fitted(), gain});
   if(found.id.size() == 0)
     return found;
-  typename Backend::template Buffer<std::uint32_t>& id = found.id;
+  Buffer_of<Backend, std::uint32_t>& id = found.id;
   auto bound = filled_buffer(backend, shapes.size, std::uint32_t(0));
-  backend.for_each(id.size(), Bound_listed{shapes.fitted(), id.data(), Split_gain::sample_size, bound.data()});
+  backend.for_each(id.size(), Bound_samples{shapes.fitted(), id.data(), Split_gain::sample_size, bound.data()});
   const Sorted_samples<Backend> sample =
     sorted_samples(backend, shapes.size,
                    collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
@@ -407,7 +404,7 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   backend.for_each(id.size(), Choose_split{found.split.data()});
   const auto candidate_of = places_of(backend, shapes.size, id);
   auto cut = filled_buffer(backend, id.size(), std::uint64_t(0));
-  backend.template for_each_cell<Count_scratch>(
+  backend.template for_each_cell<No_scratch>(
     points.number_of_parts(), Count_cut<Backend>{points.cloud.view(), points.listed_parts(), points.label(),
                                                  candidate_of.data(), found.split.data(), cut.data()});
   points.ranks.sum(cut.data(), cut.size());
@@ -430,14 +427,12 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
                    Start_half{shapes.change_moments(), shapes.plane.data(), found.id.data(), found.accepted.data(),
                               found.split.data(), new_id.data(), std::uint32_t(first_new)});
   shapes.size = first_new + number;
-  typename Backend::template Buffer<std::uint32_t> chosen(points.cloud.size());
+  Buffer_of<Backend, std::uint32_t> chosen(points.cloud.size());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),
                                               shapes.plane.data(), chosen.data()});
   take_chosen(points, shapes, chosen.data());
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H

@@ -23,9 +23,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr int log2_bits = 16;
 
@@ -158,8 +156,6 @@ private:
   Freedom_worth freedom_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SCORE_SCORE_H

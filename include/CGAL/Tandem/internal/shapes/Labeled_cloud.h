@@ -15,9 +15,7 @@
 #include <cassert>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The shapes that may have points in a cell, in any order, maybe twice. There are too many to be listed if `size`
 // exceeds the capacity. A listed shape may have lost its points; a shape with points is never missing.
@@ -177,8 +175,6 @@ private:
   Phase phase_ = Phase::loop;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H

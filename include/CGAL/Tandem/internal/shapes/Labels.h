@@ -8,9 +8,7 @@
 
 #include <CGAL/Tandem/internal/base/types.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A label below first_mark is the shape of the point, so ids are below 2^31. Otherwise the point is free. While a cell
 // grows, first_mark + s is the claim of shape s. Claims are below the two constants, so the smallest value belongs to
@@ -39,8 +37,38 @@ CGAL_TANDEM_HD inline bool is_untried(const std::uint32_t* label, const std::uin
   return label[i] == free_label && !(state[i] & tried_seed_bit);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+// --- Which points of a surfel belong to its shape. In the loop all do; in the result those that are within their
+// tolerances.
+
+// The labels of surfels, and of the points that they stand for. A point has the label of its surfel, or none.
+struct Labels_of_points {
+  Surfels_view surfels;
+  const std::uint32_t* label;       // by surfel
+  const std::uint32_t* point_label; // by point; null: all have those of their surfels
+
+  // Whether point p of surfel i has its label.
+  CGAL_TANDEM_HD bool has(std::uint32_t i, std::uint32_t p) const
+  {
+    return label[i] < first_mark && (point_label == nullptr || point_label[p] == label[i]);
+  }
+
+  // f(p) for the points of surfel i that have its label.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_point(std::uint32_t i, F f) const
+  {
+    const Range points = surfels.points(i);
+    for(std::uint32_t p = points.first; p < points.last; ++p)
+      if(has(i, p))
+        f(p);
+  }
+};
+
+// The shapes of a result, as functors read them.
+struct Final_shapes {
+  Labels_of_points labels;
+  const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
+};
+
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H

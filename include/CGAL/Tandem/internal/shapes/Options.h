@@ -8,13 +8,32 @@
 #define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
+#include <CGAL/Tandem/internal/base/types.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Growth_options.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+#include <cstddef>
+
+namespace CGAL::Tandem::internal {
+
+// --- How shapes grow and begin in a cell.
+
+// How shapes start and grow: see the manual, "Growth".
+struct Growth_options {
+  Tolerance tolerance;     // epsilon and alpha
+  int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds
+  int seed_tries;          // candidates that may fail in one pass
+  std::uint32_t core_size; // fewest surfels that a shape begins with ...
+  std::int64_t core_points; // ... unless at least three have so many points
+  std::size_t cell_size;    // most surfels of a cell
+};
+
+// Points of a cell, at most. The queue has two bytes a point, so that of a small cell fits into fast memory. The
+// largest cell is what 16 bits can address.
+constexpr std::uint32_t small_cell = 8192;
+constexpr std::uint32_t largest_cell = 65536;
+
+// --- All parameters of the stages.
 
 // The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {
@@ -56,8 +75,6 @@ struct Options {
   bool has_estimated_normals;         // none were given
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H

@@ -8,13 +8,10 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The plane through a point with its own normal. The point must have one.
 CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
@@ -61,9 +58,9 @@ struct Seeds_view {
 
 template <class Backend>
 struct Seeds {
-  typename Backend::template Buffer<std::uint32_t> seed;
-  typename Backend::template Buffer<std::uint32_t> count;
-  typename Backend::template Buffer<std::uint32_t> cursor;
+  Buffer_of<Backend, std::uint32_t> seed;
+  Buffer_of<Backend, std::uint32_t> count;
+  Buffer_of<Backend, std::uint32_t> cursor;
 
   Seeds_view view() { return {seed.data(), count.data(), cursor.data()}; }
 };
@@ -147,7 +144,7 @@ Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bo
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size(), cells = points.number_of_cells();
-  typename Backend::template Buffer<std::uint64_t> key(n);
+  Buffer_of<Backend, std::uint64_t> key(n);
   Seeds<Backend> seeds;
   seeds.seed.reset(n);
   seeds.count.reset(cells);
@@ -160,8 +157,6 @@ Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bo
   return seeds;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H

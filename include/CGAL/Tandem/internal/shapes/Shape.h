@@ -7,7 +7,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
 
-#include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
@@ -16,9 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Shapes that are worth a thread: what is done for one is a fit, at most.
 constexpr std::size_t shapes_per_thread = 32;
@@ -47,38 +44,30 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 }
 
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
-class Shape_history {
-public:
-  // Whether its plane is fitted to the points that it has, and whether its links are those of its points and plane.
-  CGAL_TANDEM_HD bool is_fitted() const { return is_fitted_ != 0; }
-  CGAL_TANDEM_HD bool is_linked() const { return is_linked_ != 0; }
-  CGAL_TANDEM_HD void set_fitted(bool is_fitted) { is_fitted_ = is_fitted; }
-  CGAL_TANDEM_HD void set_linked(bool is_linked) { is_linked_ = is_linked; }
+struct Shape_history {
+  Regular_plane checked = {};   // against which its points were checked last, and ...
+  Regular_plane restarted = {}; // ... with which the whole shape was put on the frontier
+  std::int32_t is_fitted = 0;   // its plane is fitted to the points that it has
+  std::int32_t is_linked = 0;   // its links are those of its points and plane; wide, so that all bytes are defined
 
   // Whether its plane has moved since its points were checked against it. Then they are checked again, and linked.
   CGAL_TANDEM_HD bool check_again(const Box& box, const Regular_plane& plane, double maximum_distance)
   {
-    if(!(bound_motion(box, checked_, plane) > tuning::motion::negligible * maximum_distance))
+    if(!(bound_motion(box, checked, plane) > tuning::motion::negligible * maximum_distance))
       return false;
-    checked_ = plane;
-    is_linked_ = false;
+    checked = plane;
+    is_linked = false;
     return true;
   }
-  CGAL_TANDEM_HD void set_checked(const Regular_plane& plane) { checked_ = plane; }
 
   // Whether its plane has moved far since the whole shape was put on the frontier.
   CGAL_TANDEM_HD bool restart_again(const Box& box, const Regular_plane& plane, double maximum_distance)
   {
-    if(!(bound_motion(box, restarted_, plane) > tuning::motion::restart * maximum_distance))
+    if(!(bound_motion(box, restarted, plane) > tuning::motion::restart * maximum_distance))
       return false;
-    restarted_ = plane;
+    restarted = plane;
     return true;
   }
-  CGAL_TANDEM_HD void set_restarted(const Regular_plane& plane) { restarted_ = plane; }
-
-private:
-  Regular_plane checked_ = {}, restarted_ = {};
-  std::int32_t is_fitted_ = 0, is_linked_ = 0; // wide, so that all bytes are defined where shapes are copied
 };
 
 // `plane` follows the relations, `local` only the points. The box is a bound: it does not shrink when points are
@@ -102,8 +91,6 @@ CGAL_TANDEM_HD inline bool is_before(const Shape* shape, std::uint32_t a, std::u
   return na > nb || (na == nb && a < b);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H

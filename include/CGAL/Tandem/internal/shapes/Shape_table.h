@@ -14,9 +14,7 @@
 
 #include <cassert>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Loops are over all ids; functors skip those out of use.
 //
@@ -88,19 +86,13 @@ void for_each_shape(Backend& backend, const Shape_table<Backend>& shapes, F f)
 
 // By id: which shape each shape becomes. This is itself, another one, or free_label for a shape that is dissolved.
 template <class Backend>
-using Targets = typename Backend::template Buffer<std::uint32_t>;
-
-struct Set_identity {
-  std::uint32_t* target;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = std::uint32_t(i); }
-};
+using Targets = Buffer_of<Backend, std::uint32_t>;
 
 template <class Backend>
 Targets<Backend> identity_targets(Backend& backend, std::size_t n)
 {
   Targets<Backend> target(n);
-  backend.for_each(n, Set_identity{target.data()});
+  backend.for_each(n, Fill_ascending{target.data()});
   return target;
 }
 
@@ -110,28 +102,6 @@ struct Has_points {
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
 };
-
-struct Shape_counts {
-  std::size_t shapes, points;
-};
-
-struct Count_live {
-  const Shape* shape;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
-  {
-    sum[0] += shape[id].is_live();
-    sum[1] += shape[id].moments.count;
-  }
-};
-
-// How many shapes are live, and how many points they have.
-template <class Backend>
-Shape_counts count_live(Backend& backend, const Shape_table<Backend>& shapes)
-{
-  const auto sums = backend.template sum<2>(shapes.size, Count_live{shapes.counted()});
-  return {std::size_t(sums[0]), std::size_t(sums[1])};
-}
 
 // --- What a pass over the points adds to shapes, or takes from them: sums by shape, zero between two passes.
 
@@ -207,7 +177,7 @@ struct Add_deltas {
       return;
     shape[id].moments += delta[id].moments();
     shape[id].box.add(delta[id].box);
-    shape[id].history.set_fitted(false);
+    shape[id].history.is_fitted = false;
     delta[id] = Shared_moments();
   }
 };
@@ -218,8 +188,6 @@ void add_deltas(Backend& backend, Shape_table<Backend>& shapes)
   for_each_shape(backend, shapes, Add_deltas{shapes.change_moments(), shapes.delta.data()});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H

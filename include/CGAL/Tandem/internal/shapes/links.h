@@ -8,14 +8,12 @@
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
 #include <CGAL/Tandem/internal/base/tuning/score.h>
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A pair of shapes and the number of edges of the neighbor graph between their points.
 struct Link {
@@ -138,9 +136,9 @@ struct Select_shape {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    is_selected[id] = shape[id].is_live() && (selects_all || !shape[id].history.is_linked());
+    is_selected[id] = shape[id].is_live() && (selects_all || !shape[id].history.is_linked);
     if(!selects_all)
-      shape[id].history.set_linked(true);
+      shape[id].history.is_linked = true;
   }
 };
 
@@ -164,8 +162,7 @@ inline void append(std::vector<Link>& links, const Link& link)
 
 // Of all links of the ranks, those with enough edges, by pair.
 template <class Backend>
-typename Backend::template Buffer<Link> join_links(Backend& backend, const Ranks<Backend>& ranks,
-                                                   const typename Backend::template Buffer<Link>& own)
+Buffer_of<Backend, Link> join_links(Backend& backend, const Ranks<Backend>& ranks, const Buffer_of<Backend, Link>& own)
 {
   std::vector<Link> all = ranks.gather(to_vector(backend, own)), joined;
   std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
@@ -179,13 +176,13 @@ typename Backend::template Buffer<Link> join_links(Backend& backend, const Ranks
 // The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
 // counted again with a larger one. Interior points found by then have no links, so none is lost.
 template <class Backend>
-typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                                                      Links which, Phase phase)
+Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
+                                       Phase phase)
 {
   Backend& backend = points.backend;
   require(points, shapes, tables::moments | tables::lists);
   std::uint8_t* const state = states_of(points, phase);
-  typename Backend::template Buffer<std::uint8_t> is_selected(shapes.size);
+  Buffer_of<Backend, std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});
   // Hardly more than a pair for 8 points: a bound where most shapes are on other ranks.
   const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.size() / 8);
@@ -215,8 +212,6 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H

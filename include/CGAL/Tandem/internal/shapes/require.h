@@ -8,13 +8,81 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Shape.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
-#include <CGAL/Tandem/internal/shapes/make_fits.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes a share of them, and gets
+// the others. Changes nothing but these fits.
+
+// The own share of the fits, and the scatter of all moments, which costs less than to send it.
+template <class Fits>
+struct Make_fit {
+  Fits fits;
+  Own_share own;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(!fits.has(i))
+      return;
+    fits[i].scatter = make_scatter(fits[i].moments);
+    if(!own.has(i))
+      return;
+    set_fit(fits[i], fit_plane(fits[i].scatter));
+    if(own.ranks == 1)
+      fits.set_made(i);
+  }
+};
+
+struct Numbered_fit {
+  std::uint64_t number; // wide, so that all bytes are defined
+  Fit fit;
+};
+
+template <class Fits>
+struct Take_fit {
+  Fits fits;
+  Own_share own;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return own.has(i) && fits.has(i); }
+  CGAL_TANDEM_HD Numbered_fit take(std::uint32_t i) const { return {i, fits[i].fit}; }
+};
+
+template <class Fits>
+struct Put_fit {
+  Fits fits;
+  const Numbered_fit* of_all;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::size_t number = std::size_t(of_all[i].number);
+    set_fit(fits[number], of_all[i].fit);
+    fits.set_made(number);
+  }
+};
+
+// After the own share has been made: the fits of all ranks.
+template <class Backend, class Fits>
+void spread_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
+{
+  if constexpr(Ranks<Backend>::are_many) {
+    const auto all = collect_of_all<Numbered_fit>(backend, ranks, n, Take_fit<Fits>{fits, ranks.share()});
+    backend.for_each(all.size(), Put_fit<Fits>{fits, all.data()});
+  }
+}
+
+// fits.has(i): one is to be made for fits[i] of the n moments; fits.set_made(i): it has been made.
+template <class Backend, class Fits>
+void make_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
+{
+  backend.for_each(n, Make_fit<Fits>{fits, ranks.share()}, shapes_per_thread);
+  spread_fits(backend, ranks, n, fits);
+}
+
+// --- What follows from the labels.
 
 // A hash set of shapes with linear probing; twice the capacity of a list keeps probes short.
 struct List_scratch {
@@ -179,9 +247,9 @@ void count_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 struct Changed_shapes {
   Shape* shape;
 
-  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && !shape[id].history.is_fitted(); }
+  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && !shape[id].history.is_fitted; }
   CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t id) const { return shape[id]; }
-  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].history.set_fitted(true); }
+  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].history.is_fitted = true; }
 };
 
 template <class Backend>
@@ -224,8 +292,6 @@ void require(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsig
     list_shapes(points);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H

@@ -11,9 +11,7 @@
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Adds each shape with a target to its sums, and clears it. Targets are targets of themselves.
 template <class Backend>
@@ -45,7 +43,7 @@ struct Take_joined {
     if(!is_any(joined[id]))
       return;
     Add_deltas{shape, joined}(id);
-    shape[id].history.set_linked(false);
+    shape[id].history.is_linked = false;
   }
 };
 
@@ -226,7 +224,7 @@ template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   const Targets<Backend>& target)
 {
-  typename Backend::template Buffer<std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);
+  Buffer_of<Backend, std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);
   merge_shapes(points, shapes, target);
   for_each_shape(points.backend, shapes,
                  Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
@@ -235,8 +233,6 @@ void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H

@@ -10,9 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // How the caller's points are put on the grid.
@@ -159,8 +157,6 @@ constexpr double far_extent = .25;
 } // namespace estimation
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_CLOUD_H

@@ -6,9 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_EXACTNESS_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_EXACTNESS_H
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // Margins of the exact check, and of searches. They follow from the formats. Smaller ones would break the guarantee;
@@ -40,8 +38,6 @@ constexpr double minimum_width_ratio2 = 1e-12;
 } // namespace exactness
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_EXACTNESS_H

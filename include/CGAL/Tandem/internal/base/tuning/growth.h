@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // Seeds, and growth inside the octree cells (section 3 of the paper).
@@ -79,8 +77,6 @@ constexpr double restart = 0.1;
 } // namespace motion
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_GROWTH_H

@@ -8,9 +8,7 @@
 
 #include <CGAL/Tandem/internal/base/tuning/Share.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // Normals where the caller gives none. Squared angles are in radians^2, lengths in epsilons or standard deviations.
@@ -75,8 +73,6 @@ constexpr double squared_alpha_per_error = 9;
 } // namespace sides
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H

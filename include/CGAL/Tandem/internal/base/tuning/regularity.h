@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // When directions are the same, or orthogonal.
@@ -38,8 +36,6 @@ constexpr double minimum_squared_sine = 0.04;
 } // namespace directions
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_REGULARITY_H

@@ -11,9 +11,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 namespace tuning {
 
 namespace score {
@@ -58,8 +56,6 @@ constexpr double crisp_rms = 0.4;
 } // namespace moves
 
 } // namespace tuning
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H

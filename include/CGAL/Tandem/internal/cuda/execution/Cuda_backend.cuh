@@ -10,7 +10,6 @@
 
 #include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
-#include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/kernels.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/loops.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/warp.cuh>
@@ -26,9 +25,7 @@
 #include <array>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Sorts many short ranges of keys, such as the seeds of each cell. Runs of a fixed size are sorted in shared memory,
 // then merged by pairs. An own sort, because the segmented sort of CUB waits for the device. Moves keys within their
@@ -149,23 +146,6 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
     }
 }
 
-// A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
-// never be passed. It takes hardly longer with more blocks.
-template <class Rounds>
-void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
-{
-  const auto kernel = run_steps<Rounds>;
-  int multiprocessors = 0, blocks = 0; // on each of them at the same time
-  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
-  CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
-  const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
-  const std::size_t useful = items / (item_lanes / warp_size) + 1;
-  void* arguments[] = {&maximum_rounds, &rounds};
-  ++Device_work::of_thread().launches;
-  CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
-                                               arguments, 0, stream_of_thread()));
-}
-
 // Used by one thread at a time. Functors are copied to the device with a launch, so they hold pointers to its memory
 // only. Memory is released in the order of the stream: buffers may end while kernels that use them still run.
 class Cuda_backend {
@@ -176,12 +156,7 @@ public:
 
   static const char* name() { return "cuda"; }
 
-  std::size_t concurrency() const
-  {
-    int multiprocessors = 0;
-    CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
-    return std::size_t(multiprocessors) * cell_blocks;
-  }
+  std::size_t concurrency() const { return number_of_multiprocessors() * cell_blocks; }
 
   // Items that take long are spread over more multiprocessors. Those that take very long are not queued, as others
   // would wait for them with few lanes.
@@ -311,11 +286,20 @@ public:
     return total;
   }
 
-  // Does not wait.
+  // A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
+  // never be passed. It takes hardly longer with more blocks. Does not wait.
   template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
   {
-    launch_rounds(maximum_rounds, items, rounds);
+    const auto kernel = run_steps<Rounds>;
+    int blocks = 0; // on a multiprocessor at the same time
+    CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
+    const std::size_t maximum = number_of_multiprocessors() * std::size_t(blocks);
+    const std::size_t useful = items / (item_lanes / warp_size) + 1;
+    void* arguments[] = {&maximum_rounds, &rounds};
+    ++Device_work::of_thread().launches;
+    CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
+                                                 arguments, 0, stream_of_thread()));
   }
 
   template <class T, class F>
@@ -392,8 +376,6 @@ private:
   static constexpr std::size_t blocks_in_turns = 512;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH

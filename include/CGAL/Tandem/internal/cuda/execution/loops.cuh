@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A lane among those of a loop. Whole warps work on a loop.
 struct Loop_lane {
@@ -115,10 +113,8 @@ constexpr std::size_t maximum_loop_blocks = 64;
 
 inline void launch_loops(const unsigned char* loops, std::size_t bytes, std::size_t lanes)
 {
-  int multiprocessors = 0;
-  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
   const unsigned blocks =
-    unsigned((std::min)({(lanes + item_lanes - 1) / item_lanes, std::size_t(multiprocessors), maximum_loop_blocks}));
+    unsigned((std::min)({(lanes + item_lanes - 1) / item_lanes, number_of_multiprocessors(), maximum_loop_blocks}));
   if(bytes <= 512)
     launch_loops_of_size<512>(loops, bytes, blocks);
   else
@@ -233,8 +229,6 @@ void queue_copy(const T* source, std::size_t n, T* target)
              Copy_loop{reinterpret_cast<const std::uint32_t*>(source), reinterpret_cast<std::uint32_t*>(target)});
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_LOOPS_CUH

@@ -9,9 +9,7 @@
 #include <cooperative_groups.h>
 #include <cooperative_groups/reduce.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr unsigned warp_size = 32;
 constexpr unsigned all_lanes = 0xffffffffu;
@@ -37,8 +35,6 @@ __device__ inline T warp_max(T v)
 
 __device__ inline unsigned warp_sum(unsigned v) { return warp_reduce(v, cooperative_groups::plus<unsigned>()); }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_WARP_CUH

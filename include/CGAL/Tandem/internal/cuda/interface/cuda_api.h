@@ -7,14 +7,13 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 #define CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 class Pinned_pair;
 class Values_on_device;
@@ -53,15 +52,26 @@ std::string cuda_device_report();
 // Frees memory of host and devices that calls have kept; memory in use stays. For tests, which measure the rest.
 void release_cuda_memory();
 
-// What this thread has asked of its devices so far, for tests: cuda/runtime/Device_work.cuh.
-struct Device_work;
+// What a thread of the host has asked of its devices, for tests; no result depends on it.
+// Sums since the thread has begun. What several threads copy together counts for the one that has started them, as one
+// wait.
+struct Device_work {
+  std::uint64_t launches = 0; // kernels, and calls of CUB, which launches several
+  std::uint64_t waits = 0;
+  std::uint64_t bytes_copied = 0;
+
+  static Device_work& of_thread()
+  {
+    thread_local Device_work work;
+    return work;
+  }
+};
+
 Device_work cuda_work_of_thread();
 
 // The number of points for which the current device has memory now.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H

@@ -10,11 +10,9 @@
 
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_packet.cuh>
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_query.cuh>
-#include <CGAL/Tandem/internal/cuda/runtime/cuda_check.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Loop_queue.cuh>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr int largest_packet_k = 20; // the largest K of find_packet_neighbors()
 constexpr int largest_cuda_k = 64;   // two entries a lane
@@ -88,11 +86,8 @@ inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 // list. `all`: all points, because k is too large for packets.
 inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stream)
 {
-  constexpr int maximum_blocks = 12; // on a multiprocessor
-  int device = 0, processors = 0;
-  CGAL_TANDEM_CUDA(cudaGetDevice(&device));
-  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device));
-  const unsigned blocks = unsigned(processors * maximum_blocks);
+  constexpr std::size_t maximum_blocks = 12; // on a multiprocessor
+  const unsigned blocks = unsigned(number_of_multiprocessors() * maximum_blocks);
   if(task.k <= int(warp_size))
     find_single_neighbors<1><<<blocks, neighbor_lanes, 0, stream>>>(task, all);
   else
@@ -118,8 +113,6 @@ inline void find_neighbors_cuda(const Neighbor_rows& rows, void* scratch, cudaSt
   search_single(task, !has_packets, stream);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH

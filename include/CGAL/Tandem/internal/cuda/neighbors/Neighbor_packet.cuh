@@ -12,9 +12,7 @@
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_task.cuh>
 #include <CGAL/Tandem/internal/cuda/neighbors/Packet_candidates.cuh>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr unsigned packets_in_block = 2;
 constexpr unsigned blocks_in_processor = 16; // leaves 64 registers a lane
@@ -280,8 +278,6 @@ __global__ void __launch_bounds__(packets_in_block* warp_size, blocks_in_process
     Neighbor_packet<K>(task, memory[warp], packet).run();
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_PACKET_CUH

@@ -10,9 +10,7 @@
 
 #include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_task.cuh>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 constexpr int maximum_insertions = 8; // more candidates at a time are merged
 
@@ -232,8 +230,6 @@ __global__ void __launch_bounds__(128) find_single_neighbors(const __grid_consta
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_QUERY_CUH

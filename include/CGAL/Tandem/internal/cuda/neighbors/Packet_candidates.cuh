@@ -13,13 +13,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
 
-#include <CGAL/Tandem/internal/cuda/neighbors/Box_levels.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_task.cuh>
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Batcher's odd-even merge sort of an array in registers: all indices are constants of the compilation. The compiler
 // removes the comparisons of results that are not used.
@@ -390,8 +388,6 @@ private:
   int slot_ = 0;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH

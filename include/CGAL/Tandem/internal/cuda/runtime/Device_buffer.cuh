@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Small blocks of device memory that a host thread has freed and may use again at once: calls of the pool for them take
 // as long as what is done with them. All work of a thread is in the order of its stream, so a block may still be in use
@@ -144,9 +142,9 @@ class Memory_pools {
 public:
   static cudaMemPool_t of_device(int device)
   {
-    std::lock_guard<std::mutex> lock(mutex());
-    const auto found = pools().find(device);
-    return found != pools().end() ? found->second : pools()[device] = make(device);
+    std::lock_guard<std::mutex> lock(state().mutex);
+    const auto found = state().pools.find(device);
+    return found != state().pools.end() ? found->second : state().pools[device] = make(device);
   }
 
   // Returns unused memory to the devices, but for blocks that other threads keep. The lock is not held meanwhile, since
@@ -154,8 +152,8 @@ public:
   static void trim()
   {
     Kept_blocks::release();
-    std::unique_lock<std::mutex> lock(mutex());
-    const std::map<int, cudaMemPool_t> all = pools();
+    std::unique_lock<std::mutex> lock(state().mutex);
+    const std::map<int, cudaMemPool_t> all = state().pools;
     lock.unlock();
     for(const auto& pool : all) {
       const Device_guard guard(pool.first);
@@ -180,17 +178,16 @@ private:
     return pool;
   }
 
-  // Not destroyed at the end of the program: destructors of static objects may still free memory.
-  static std::mutex& mutex()
-  {
-    static std::mutex& m = *new std::mutex;
-    return m;
-  }
+  struct State {
+    std::mutex mutex;
+    std::map<int, cudaMemPool_t> pools; // by device
+  };
 
-  static std::map<int, cudaMemPool_t>& pools()
+  // Not destroyed at the end of the program: destructors of static objects may still free memory.
+  static State& state()
   {
-    static std::map<int, cudaMemPool_t>& p = *new std::map<int, cudaMemPool_t>;
-    return p;
+    static State& s = *new State;
+    return s;
   }
 };
 
@@ -275,8 +272,6 @@ private:
   std::size_t bytes_ = 0; // of the memory
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH

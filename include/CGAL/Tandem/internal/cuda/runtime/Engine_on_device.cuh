@@ -7,13 +7,11 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_ENGINE_ON_DEVICE_CUH
 
 #include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
-#include <CGAL/Tandem/internal/engine/Detection_engine.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 
 #include <memory>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Calls f on the current device. Waits for all work that f has queued, also when f throws. So another
 // thread, with another stream, may call next, and no copy reads memory that the caller frees.
@@ -82,8 +80,6 @@ private:
   std::unique_ptr<Detection_engine> engine_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_ENGINE_ON_DEVICE_CUH

@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The current device of a thread: the runtime has one for each thread, and work goes to it. Changes the current device
 // only while a guard exists.
@@ -33,6 +31,14 @@ inline int current_device()
   int device = 0;
   CGAL_TANDEM_CUDA(cudaGetDevice(&device));
   return device;
+}
+
+// Of the current device.
+inline std::size_t number_of_multiprocessors()
+{
+  int multiprocessors = 0;
+  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
+  return std::size_t(multiprocessors);
 }
 
 // Whether the process has a context on the device. Since CUDA 12, cudaSetDevice() makes one; before, it does not, so
@@ -194,8 +200,6 @@ inline void wait_quietly() noexcept
   static_cast<void>(cudaStreamSynchronize(cudaStreamPerThread));
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_LOOP_QUEUE_CUH

@@ -6,16 +6,14 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/Device_work.cuh>
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
 
 #include <cuda_runtime.h>
 
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Throws std::runtime_error unless the error is cudaSuccess.
 inline void check_cuda(cudaError_t error, const char* expression, const char* file, int line)
@@ -34,9 +32,7 @@ inline void check_launch(const char* file, int line)
   check_cuda(cudaGetLastError(), "a launch", file, line);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 // For every call of the runtime that returns an error.
 #define CGAL_TANDEM_CUDA(expression) ::CGAL::Tandem::internal::check_cuda(expression, #expression, __FILE__, __LINE__)

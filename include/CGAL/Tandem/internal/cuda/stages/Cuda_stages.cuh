@@ -8,12 +8,12 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH
 
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#include <CGAL/Tandem/internal/base/ordered_bits.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
 #include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/cuda/runtime/Pinned_copies.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 
 #include <algorithm>
@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The tables of the size of the cloud at both ends. These are points on the grid, from the caller's values, and lists
 // of points, from the shapes of the points. They are defined by their contents, so the device may compute them in its
@@ -146,33 +144,6 @@ private:
   bool are_in_tables_ = false;
 };
 
-// Rounds the values to the grid on the device. Values that were read to the tables are sent first, and freed here.
-// Uploaded ones stay until the search for neighbors has started. They return to the host while it runs, because the
-// exact check needs them and the search leaves the bus idle.
-inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Import& in)
-{
-  const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
-    return static_cast<const Values_on_device&>(*in.uploaded);
-  };
-  if(in.uploaded != nullptr && values_of().device() != current_device()) // a callback has changed it
-    in.drop_upload();
-  Device_buffer<Grid_point> point(in.size());
-  if(in.uploaded == nullptr) {
-    const auto sent = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
-    sent->send_tables();
-    in.uploaded = sent;
-  }
-  const Values_on_device& values = values_of();
-  Device_work::of_thread().bytes_copied += values.bytes(); // also if that was done while the range was read
-  Place_on_grid place = place_on_grid(in, point.data());
-  place.coordinates.data = values.coordinates();
-  place.normals.data = values.normals();
-  backend.for_each(in.size(), place);
-  if(values.are_in_tables()) // else prepare() drops the upload during the search
-    in.drop_upload();
-  return point;
-}
-
 // Keys for the sort of points by shape. Points without a shape come last.
 template <class Key>
 struct Write_pairs {
@@ -220,41 +191,37 @@ void sort_by_shape(Cuda_backend& backend, const Device_buffer<std::int32_t>& sha
   f(position.Current(), first.back());
 }
 
-// Copies the lists and the labels to the host, by several threads. Short keys, where there are not too many shapes:
-// this is the stage that needs most memory.
-inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
-                              Engine_result& result)
-{
-  const std::size_t n = shape_of.size();
-  std::vector<std::uint32_t> first(shapes + 1);
-  Host_buffer<std::uint32_t> grouped;
-  Host_buffer<std::int32_t> table(n);
-  table.keep_pages();
-  const auto copy = [&](const std::uint32_t* positions, std::size_t size) {
-    grouped.reset(size);
-    grouped.keep_pages();
-    // The pinned copies have streams of their own, so the sort has to end first.
-    synchronize();
-    empty_pinned_pieces({{positions, grouped.data(), size * sizeof(std::uint32_t)},
-                         {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
-  };
-  if(shapes <= (std::numeric_limits<std::uint16_t>::max)())
-    sort_by_shape<std::uint16_t>(backend, shape_of, first, copy);
-  else
-    sort_by_shape<std::uint32_t>(backend, shape_of, first, copy);
-  result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
-  result.shape_of = std::move(table);
-}
-
 // Import and grouping differ for their copies, neighbors for speed. The cells are used to start large ones
 // first.
 template <>
 struct Stage_overrides<Cuda_backend> : No_stage_overrides {
   static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, groups_points = true;
 
+  // Rounds the values to the grid on the device. Values that were read to the tables are sent first, and freed here.
+  // Uploaded ones stay until the search for neighbors has started. They return to the host while it runs, because the
+  // exact check needs them and the search leaves the bus idle.
   static Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
   {
-    return import_points_cuda(backend, in);
+    const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
+      return static_cast<const Values_on_device&>(*in.uploaded);
+    };
+    if(in.uploaded != nullptr && values_of().device() != current_device()) // a callback has changed it
+      in.drop_upload();
+    Device_buffer<Grid_point> point(in.size());
+    if(in.uploaded == nullptr) {
+      const auto sent = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
+      sent->send_tables();
+      in.uploaded = sent;
+    }
+    const Values_on_device& values = values_of();
+    Device_work::of_thread().bytes_copied += values.bytes(); // also if that was done while the range was read
+    Place_on_grid place = place_on_grid(in, point.data());
+    place.coordinates.data = values.coordinates();
+    place.normals.data = values.normals();
+    backend.for_each(in.size(), place);
+    if(values.are_in_tables()) // else prepare() drops the upload during the search
+      in.drop_upload();
+    return point;
   }
 
   static void expect_cells(Cuda_backend& backend, const Device_buffer<Range>& cells) { backend.expect_cells(cells); }
@@ -266,15 +233,33 @@ struct Stage_overrides<Cuda_backend> : No_stage_overrides {
     find_neighbors_cuda({point, n, k, out}, scratch.data(), stream_of_thread());
   }
 
+  // Copies the lists and the labels to the host, by several threads. Short keys, where there are not too many shapes:
+  // this is the stage that needs most memory.
   static void group_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
                            Engine_result& result)
   {
-    group_points_cuda(backend, std::move(shape_of), shapes, result);
+    const std::size_t n = shape_of.size();
+    std::vector<std::uint32_t> first(shapes + 1);
+    Host_buffer<std::uint32_t> grouped;
+    Host_buffer<std::int32_t> table(n);
+    table.keep_pages();
+    const auto copy = [&](const std::uint32_t* positions, std::size_t size) {
+      grouped.reset(size);
+      grouped.keep_pages();
+      // The pinned copies have streams of their own, so the sort has to end first.
+      synchronize();
+      empty_pinned_pieces({{positions, grouped.data(), size * sizeof(std::uint32_t)},
+                           {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
+    };
+    if(shapes <= (std::numeric_limits<std::uint16_t>::max)())
+      sort_by_shape<std::uint16_t>(backend, shape_of, first, copy);
+    else
+      sort_by_shape<std::uint32_t>(backend, shape_of, first, copy);
+    result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
+    result.shape_of = std::move(table);
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH

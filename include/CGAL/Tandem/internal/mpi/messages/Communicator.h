@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- How tables of items become messages of MPI.
 
@@ -126,13 +124,8 @@ inline std::string encoded_failure(std::exception_ptr failure)
 }
 
 // The failure of another rank, on which all ranks have agreed.
-class Agreed_failure {
-public:
-  explicit Agreed_failure(const std::string& encoded) : encoded_(encoded) {}
-  [[noreturn]] void rethrow() const { throw_failure(encoded_); }
-
-private:
-  std::string encoded_;
+struct Agreed_failure {
+  std::string encoded;
 };
 
 class Communicator {
@@ -161,8 +154,7 @@ public:
         return result;
       }
     } catch(const Agreed_failure& failure) {
-      failure.rethrow();
-      throw; // not reached
+      throw_failure(failure.encoded);
     } catch(...) {
       fail(std::current_exception());
       throw;
@@ -317,7 +309,7 @@ private:
   {
     const int first = first_failed(INT_MAX);
     if(first < INT_MAX)
-      throw Agreed_failure(broadcast(first, std::string()));
+      throw Agreed_failure{broadcast(first, std::string())};
   }
 
   // The part of a rank that has failed in an agreement; of several failures, that of the smallest rank counts.
@@ -350,8 +342,6 @@ private:
   std::uint64_t sent_ = 0;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Where the points of each rank are: some boxes of each, which all ranks know, with a tree over all of them.
 
@@ -403,8 +401,6 @@ private:
   std::vector<std::vector<std::uint32_t>> queries_; // the same: their points, ascending
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H

@@ -11,21 +11,9 @@
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/mpi/neighbors/Border_search.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
-// The entries of the listed points.
-template <class T>
-struct Pack_entries {
-  const T* table;
-  const std::uint32_t* index;
-  T* packed;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { packed[i] = table[index[i]]; }
-};
-
-// Something else than each of them.
+// Something else than each of the listed entries.
 template <class T>
 struct Pack_other {
   const T* table;
@@ -156,8 +144,8 @@ public:
   void update(std::size_t r, T* table) const
   {
     const Ring& ring = ring_[r];
-    typename Backend::template Buffer<T> packed(ring.exported.size());
-    backend_.for_each(packed.size(), Pack_entries<T>{table, ring.exported.data(), packed.data()});
+    Buffer_of<Backend, T> packed(ring.exported.size());
+    backend_.for_each(packed.size(), Gather_items<T>{table, ring.exported.data(), packed.data()});
     // Ranks ascend, as the ghosts of a ring do.
     write_to(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to, ring.imported_from),
              table + n_ + ring.offset);
@@ -166,7 +154,7 @@ public:
   // The same for the first ring and a table of integers. What has been sent before is not sent again: `sent` is empty at
   // first, and nobody else changes entries of ghosts.
   template <class T>
-  void update_changed(T* table, typename Backend::template Buffer<T>& sent) const
+  void update_changed(T* table, Buffer_of<Backend, T>& sent) const
   {
     using Entries = std::vector<Sent_entry<T>>;
     const Ring& ring = ring_[0];
@@ -211,11 +199,11 @@ public:
 
 private:
   struct Ring {
-    std::vector<Rank_point> point;                             // ascending
-    typename Backend::template Buffer<std::uint32_t> exported; // own points that are ghosts of this ring elsewhere
-    std::vector<std::size_t> exported_to;                      // how many of them on each rank
-    std::vector<std::size_t> imported_from;                    // how many ghosts of each rank
-    std::size_t offset;                                        // of the first ghost among all
+    std::vector<Rank_point> point;              // ascending
+    Buffer_of<Backend, std::uint32_t> exported; // own points that are ghosts of this ring elsewhere
+    std::vector<std::size_t> exported_to;       // how many of them on each rank
+    std::vector<std::size_t> imported_from;     // how many ghosts of each rank
+    std::size_t offset;                         // of the first ghost among all
   };
 
   Backend& backend_;
@@ -225,8 +213,6 @@ private:
   std::vector<Ring> ring_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H

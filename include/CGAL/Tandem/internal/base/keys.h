@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Doubles as integers of the same order.
+// Numbers as keys: pairs of ids, and doubles as integers of the same order.
 
-#ifndef CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H
-#define CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H
+#ifndef CGAL_TANDEM_INTERNAL_BASE_KEYS_H
+#define CGAL_TANDEM_INTERNAL_BASE_KEYS_H
 
 #include <CGAL/Tandem/internal/base/types.h>
 
@@ -12,9 +12,21 @@
 #include <cstdint>
 #include <cstring>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
+
+// --- Pairs of ids as one number, first id << 32 | second id.
+
+// The same number for both orders: the smaller id is the first one.
+CGAL_TANDEM_HD inline std::uint64_t unordered_pair(std::uint32_t a, std::uint32_t b)
+{
+  return a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
+}
+
+// Multiplicative: ids of one pair are often close to each other. The factor is 2^64 over the golden ratio; the upper
+// bits are the better ones.
+CGAL_TANDEM_HD inline std::uint64_t hash_of_pair(std::uint64_t pair) { return pair * 0x9e3779b97f4a7c15u; }
+
+// --- Numbers in the order of others.
 
 // Bits that are in the order of the numbers. Both zeros get the same.
 CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
@@ -44,8 +56,6 @@ inline int bits_of(std::size_t largest)
   return bits;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H
+#endif // CGAL_TANDEM_INTERNAL_BASE_KEYS_H

@@ -1,15 +1,29 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The smallest models of Backend, Block and Ranks, with every operation of concepts.h and nothing else. A test compiles the
-// engine with them, so no stage uses more than the concepts promise. They compute nothing: `if(false)` compiles what is
-// passed to them, and does not run it.
+// The three concepts that the engine is written on: what a back end supplies, what a body may use, and what connects the
+// processes that share a cloud. Each is listed here with its smallest model, the archetype, which has every operation of
+// the list and nothing else. A test compiles the engine with them, so no stage uses more than the concepts promise. They
+// compute nothing: `if(false)` compiles what is passed to them, and does not run it.
+//
+// A *back end* owns memory and runs functors and bodies; it has no notion of planes. A functor is called with an item.
+// A *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the
+// block is uniform: all lanes do the same. Only the functors within are per item, and their items may run in any order
+// and at the same time. So no result depends on the number of lanes, threads or devices.
+//
+// backend/Sequential_backend.h, Serial_block.h and Ranks.h are the models to read first.
 
-#ifndef CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
-#define CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#include <CGAL/Tandem/internal/backend/concepts.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -17,6 +31,18 @@ namespace internal {
 
 namespace archetypes {
 
+// Block, for lanes that share the scratch of a cell:
+//   lookahead                              items worth trying before it is known whether they are needed, at most 32
+//   for_each(n, f)                         f(i) for i in [0, n); then all lanes see all writes
+//   for_each_neighbor(n, k, row, f)        f(s, q) for each source s and each entry q of row(s), which may be null
+//   find_first(first, n, f)                the smallest i in [first, n) with f(i), or n
+//   find(first, n, maximum, f, take)       take(rank, i) for the first i with f(i); returns how many
+//   min(n, f)                              the smallest f(i), or no_index
+//   single(f)                              f() once
+//   accumulate<Sum>(n, f, add)             f(i, sum) with a sum for each lane, then add(sum) once for each
+//   load, fetch_min, add, append, exchange_if, count_pair, add_moments, add_box
+//                                          on what all lanes share, at the same time
+//
 // Arguments and results have exactly the types that the concept lists; there is no default constructor and no copy.
 struct Block {
   static constexpr std::uint32_t lookahead = 1;
@@ -79,6 +105,11 @@ struct Block {
   void add_box(Box&, const Box&) {}
 };
 
+// Buffer<T>, an array of plain items where the functors run. It can be made with a size or empty, and be moved:
+//   reset(n)         n items, of no value
+//   release()        no items
+//   data(), size()
+//
 // Can be moved, not copied, like memory of a device.
 template <class T>
 struct Buffer {
@@ -94,6 +125,8 @@ struct Buffer {
   std::size_t size() const { return 0; }
 };
 
+// Sort_table, keys of 64 bits with the index that each belongs to:
+//   size(), view()   and of the view, in functors: key(i), index(i), set(i, key, index)
 struct Sort_table {
   struct View {
     std::uint64_t key(std::size_t) const { return 0; }
@@ -108,7 +141,38 @@ struct Sort_table {
   std::size_t size() const { return 0; }
 };
 
-// Without for_each_piece(): the engine runs on back ends that have none.
+// Backend, memory:
+//   Buffer<T>, Sort_table             see above
+//   make_buffer<T>(n, f)              a buffer of f(i), i in [0, n), evaluated on the host
+//   to_host(source, n, target)        waits for the items
+//   wait()                            for all work that was started
+//
+// Backend, execution:
+//   name()
+//   concurrency()                                about how many bodies run at the same time
+//   for_each(n, f, grain)                        f(i) for i in [0, n), in any order; so many are worth a thread
+//   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
+//   sort(table, bits)                            ascending by key; keys have so many bits, 63 if that is not given
+//   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
+//   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
+//   collect<T>(n, f)                             a buffer of f.take(i) of the i with f.has(i), ascending;
+//                                                all has() precede any take()
+//   sum<N>(n, f)                                 N sums, for the host, to which f(i, sums) adds for i in [0, n)
+//   run_rounds(maximum, n, rounds)               rounds.run(step, round, lane, lanes) for all lanes, step by step;
+//                                                ends before the last step of a round with rounds.is_last(round)
+//   for_each_on_host(n, f, few)                  f(i) on the host; fewer items than `few` are left to one thread
+//
+// Backend, for functors that run at the same time; integers only:
+//   atomic_add(target, value), atomic_min(target, value)   return the old target
+//   atomic_max(target, value)
+//   atomic_load(target)
+//   atomic_exchange_if(target, expected, value)            returns the old target
+//
+// A back end whose functors run on the host, as those that read the caller's range. It inherits the memory from
+// Host_memory and has in addition
+//   for_each_piece(n, grain, f)       f(first, last) for the pieces of [0, n) that begin at the multiples of grain
+//
+// The archetype is none of these: the engine runs on back ends without for_each_piece().
 struct Backend {
   template <class T>
   using Buffer = archetypes::Buffer<T>;
@@ -207,6 +271,25 @@ struct Rank_backend : Backend {};
 
 } // namespace archetypes
 
+// Ranks, the processes that have parts of one cloud; without a word of the method. All ranks call the same operations in
+// the same order, but for share(), ghosts() and number(), which send nothing. Made from a back end:
+//   are_many                   whether there are others: what is for them only is compiled then
+//   share()                    the items that all ranks have and of which this one does the work, an Own_share
+//   together(f)                f(); where it throws, all ranks throw the same exception, instead of waiting for each other
+//   total(n), total(list)      the sum of the numbers of all ranks, or of each of a list, on the host
+//   sum(table, n)              the same for the integers of a table where the functors run
+//   gather(items, first)       the items of all ranks on the host, one rank after the other; `first`, if it is not null,
+//                              gets where those of each rank begin, and the end
+//   connect(cloud, rings)      finds the ghosts: rows of a Sorted_cloud become those among the points of all ranks, and
+//                              so many steps from neighbor to neighbor lead to points of other ranks, which are added. All
+//                              but those of the last step have rows
+//   ghosts(rings)              how many
+//   number(place)              of a point or ghost, the same on all ranks: rank << 32 | its place on its own rank
+//   refresh(table, rings)      entries of ghosts become those of the points
+//   refresh(table, sent)       the same of the inner ghosts and for integers: what has not changed is not sent again.
+//                              `sent` is a buffer for this table, empty at first
+//   to_owners(items)           item.index, a ghost, becomes the place of the point on its own rank, where the item goes
+//
 // As if all others had nothing; but the engine is compiled for many.
 template <>
 class Ranks<archetypes::Rank_backend> {
@@ -271,4 +354,4 @@ struct Stage_overrides<archetypes::Rank_backend> : Stage_overrides<archetypes::B
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H
