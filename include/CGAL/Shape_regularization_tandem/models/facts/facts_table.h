@@ -17,7 +17,6 @@
 #include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

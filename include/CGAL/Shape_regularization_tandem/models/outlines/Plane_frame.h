@@ -34,6 +34,8 @@ Number median(std::vector<Number>& all)
   return *middle;
 }
 
+inline Kernel::Point_3 point_at(const Position& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+
 // Coordinates in the plane of a shape, with the lengths and angles in space. They decide what is connected how; vertices
 // are computed in space.
 class Plane_frame {

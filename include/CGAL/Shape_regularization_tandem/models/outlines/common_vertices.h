@@ -155,7 +155,7 @@ public:
       if(end.count == 0 || end.is_corner)
         continue;
       const double mean = end.sum / end.count;
-      const double before = end.line.along(Kernel::Point_3(position[0], position[1], position[2]));
+      const double before = end.line.along(point_at(position));
       if(std::fabs(mean - before) < end.shortest_edge / 3)
         moved[position] = position_on(end.line, mean);
     }
@@ -187,7 +187,7 @@ private:
 inline bool is_on_line(const Outline_vertex& v, const Border_line& line)
 {
   constexpr double rounding = 0x1p-45;
-  const Kernel::Vector_3 d = Kernel::Point_3(v.position[0], v.position[1], v.position[2]) - line.origin;
+  const Kernel::Vector_3 d = point_at(v.position) - line.origin;
   return CGAL::cross_product(d, line.direction).squared_length() <= rounding * rounding;
 }
 
@@ -278,10 +278,7 @@ private:
   // Vertices that are as close as the rounding of coordinates are one.
   static constexpr double rounding = 0x1p-48;
 
-  static double along(const Border_line& line, const Outline_vertex& v)
-  {
-    return line.along(Kernel::Point_3(v.position[0], v.position[1], v.position[2]));
-  }
+  static double along(const Border_line& line, const Outline_vertex& v) { return line.along(point_at(v.position)); }
 
   // In the order of the edge.
   std::vector<Position> between(const Outline_draft& draft, const Outline_vertex& u, const Outline_vertex& v) const

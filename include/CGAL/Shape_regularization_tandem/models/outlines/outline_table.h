@@ -21,7 +21,6 @@
 #include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -189,7 +188,7 @@ private:
     Outline_vertex result = like;
     result.is_fixed = true;
     result.position = p;
-    result.point = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
+    result.point = all[s].frame.flat(point_at(p));
     result.written = projections[s].projected(p);
     return result;
   }
@@ -203,8 +202,7 @@ private:
   void find_edges_on_lines(std::size_t s)
   {
     const auto on_line = [&](const Outline_vertex& v, const Border_line& line) {
-      const Position& p = v.position;
-      return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
+      return fixed_vertex(s, v, position_on(line, point_at(v.position)));
     };
     drafts[s].change([&](const Outline_loop& loop) { return with_edges_on_lines(loop, drafts[s].lines, on_line); });
   }

@@ -81,10 +81,7 @@ private:
   void add_borders(const outlines::Polygon_table& polygons, const Indexed_polygon& polygon, const Coefficients& own,
                    std::vector<Border>& borders) const
   {
-    const auto point = [&](std::uint32_t i) {
-      const auto& p = polygons.points[i];
-      return Point(p[0], p[1], p[2]);
-    };
+    const auto point = [&](std::uint32_t i) { return outlines::point_at(polygons.points[i]); };
     Vector area = CGAL::NULL_VECTOR;
     for(const auto& t : polygon.triangles)
       area = area + CGAL::cross_product(point(t[1]) - point(t[0]), point(t[2]) - point(t[0]));
