@@ -9,8 +9,6 @@
 #include "messages.h"
 #include "output/write_results.h"
 
-#include <CGAL/Tandem/Distance_estimate.h>
-
 #include <cstdlib>
 #include <functional>
 #include <memory>

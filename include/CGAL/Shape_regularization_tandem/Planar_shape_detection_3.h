@@ -5,7 +5,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
@@ -26,20 +25,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Stop_watch {
-public:
-  // Seconds since the construction or the last call.
-  double lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - start_;
-    start_ = now;
-    return passed.count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+inline double seconds_since(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 } // namespace internal
 
@@ -92,10 +81,10 @@ public:
     together([&] {
       internal::check_given_parameters(parameters_);
       internal::check_same_parameters(Ranks(backend_), parameters_);
-      internal::Stop_watch watch;
+      const auto start = std::chrono::steady_clock::now();
       in_ = internal::read_range<typename Execution::Upload>(backend_, points, np, traits_);
       estimate_note_ = internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
-      import_time_ = watch.lap();
+      import_time_ = internal::seconds_since(start);
       if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
         engine_ = Execution::start(backend_, in_, parameters_, progress_);
       in_.uploaded.reset(); // without an engine nobody needs the values
@@ -146,7 +135,7 @@ public:
     check_complete();
     Backend backend = traits_.backend();
     return Ranks(backend).together([&] {
-      internal::Stop_watch watch;
+      const auto start = std::chrono::steady_clock::now();
       Shapes_data data =
         internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
       Statistics& statistics = data.statistics;
@@ -156,7 +145,7 @@ public:
       statistics.backend = engine_ ? engine_->name() : Backend::name();
       Stage_times& times = statistics.times;
       times.sort += import_time_;
-      times.finish += watch.lap();
+      times.finish += internal::seconds_since(start);
       times.total = times.normals + times.sort + times.neighbors + times.growth + times.regularity + times.finish;
       return Shapes(std::move(data), traits_.geom_traits());
     });

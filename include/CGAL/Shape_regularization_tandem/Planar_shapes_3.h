@@ -8,6 +8,8 @@
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/result/group_points.h>
 
+#include <boost/range/iterator_range_core.hpp>
+
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -52,27 +54,11 @@ public:
   using Data = Shapes_data;
   /// \endcond
 
-  /// @}
-
-  /// A range of positions in the caller's range, ascending: iterators, `size()`, `empty()` and an index operator. It
+  /// a range of positions in the caller's range, ascending: iterators, `size()`, `empty()` and an index operator. It
   /// refers to the shapes, which have to outlive it.
-  class Positions {
-  public:
-    /// \cond SKIP_IN_MANUAL
-    using value_type = std::uint32_t;
-    using const_iterator = const std::uint32_t*;
-    using iterator = const_iterator;
-    Positions(const_iterator first, const_iterator last) : first_(first), last_(last) {}
-    const_iterator begin() const { return first_; }
-    const_iterator end() const { return last_; }
-    std::size_t size() const { return std::size_t(last_ - first_); }
-    bool empty() const { return first_ == last_; }
-    std::size_t operator[](std::size_t i) const { return first_[i]; }
-    /// \endcond
+  using Positions = boost::iterator_range<const std::uint32_t*>;
 
-  private:
-    const_iterator first_, last_;
-  };
+  /// @}
 
   /// \cond SKIP_IN_MANUAL
   explicit Planar_shapes_3(Data data = Data(), const GeomTraits& geom_traits = GeomTraits()) : data_(std::move(data))

@@ -6,7 +6,6 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
-#include <CGAL/Shape_regularization_tandem/internal/upward.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 

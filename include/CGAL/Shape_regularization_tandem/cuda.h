@@ -11,17 +11,6 @@
 namespace CGAL {
 namespace Tandem {
 
-namespace internal {
-
-// Whether the library of cuda_api.h is linked.
-#ifdef CGAL_TANDEM_USE_CUDA
-constexpr bool has_cuda = true;
-#else
-constexpr bool has_cuda = false;
-#endif
-
-} // namespace internal
-
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
@@ -29,10 +18,11 @@ whether the CUDA back end is linked and there is a device for it. Does not throw
 */
 inline bool cuda_available()
 {
-  if constexpr(internal::has_cuda)
-    return internal::is_cuda_available();
-  else
-    return false;
+#ifdef CGAL_TANDEM_USE_CUDA
+  return internal::is_cuda_available();
+#else
+  return false;
+#endif
 }
 
 /*!
@@ -42,10 +32,11 @@ name, memory and compute capability of the device that a call with `Cuda_tag` wo
 */
 inline std::string cuda_device_report()
 {
-  if constexpr(internal::has_cuda)
-    return internal::cuda_device_report();
-  else
-    return "built without CUDA: link Tandem::tandem_cuda";
+#ifdef CGAL_TANDEM_USE_CUDA
+  return internal::cuda_device_report();
+#else
+  return "built without CUDA: link Tandem::tandem_cuda";
+#endif
 }
 
 } // namespace Tandem

@@ -4,7 +4,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_LOCAL_DISTANCES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_LOCAL_DISTANCES_H
 
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/engine/local_distances.h>
@@ -39,14 +38,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<double> estimate_local_distances(const PointRange& points, const NamedParameters& np = NamedParameters())
 {
-  const internal::Round_to_nearest rounding;
-  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
-    auto backend = traits.backend();
-    const internal::Ranks<decltype(backend)> ranks(backend);
-    return ranks.together([&] {
-      const internal::Import in = internal::read_range(backend, points, np, traits);
-      return internal::estimate_local_distances(backend, in);
-    });
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
+    const internal::Import in = internal::read_range(backend, points, np, traits);
+    return internal::estimate_local_distances(backend, in);
   });
 }
 

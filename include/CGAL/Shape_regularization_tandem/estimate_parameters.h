@@ -4,11 +4,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
 
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
-#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
@@ -47,20 +45,15 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
 Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters(),
                                Distance_estimate* estimate = nullptr)
 {
-  const internal::Round_to_nearest rounding;
-  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
-    auto backend = traits.backend();
-    const internal::Ranks<decltype(backend)> ranks(backend);
-    return ranks.together([&] {
-      Parameters p = internal::read_parameters(np);
-      internal::check_given_parameters(p);
-      internal::check_same_parameters(ranks, p);
-      const internal::Import in = internal::read_range(backend, points, np, traits);
-      const Distance_estimate said = internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
-      if(estimate != nullptr)
-        *estimate = said;
-      return p;
-    });
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
+    Parameters p = internal::read_parameters(np);
+    internal::check_given_parameters(p);
+    internal::check_same_parameters(internal::Ranks(backend), p);
+    const internal::Import in = internal::read_range(backend, points, np, traits);
+    const Distance_estimate said = internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
+    if(estimate != nullptr)
+      *estimate = said;
+    return p;
   });
 }
 

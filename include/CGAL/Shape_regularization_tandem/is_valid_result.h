@@ -5,7 +5,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H
 
 #include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
@@ -47,17 +46,13 @@ template <class PointRange, class GeomTraits, class NamedParameters = CGAL::para
 bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,
                      const NamedParameters& np = NamedParameters(), std::string* why = nullptr)
 {
-  const internal::Round_to_nearest rounding;
-  return internal::with_traits<internal::Checking_tag<NamedParameters>>(points, np, [&](const auto& traits) {
-    auto backend = traits.backend();
-    return internal::Ranks<decltype(backend)>(backend).together([&] {
-      internal::Import in = internal::read_range(backend, points, np, traits);
-      internal::Result_checker<GeomTraits> checker(in, shapes);
-      const bool is_valid = checker.check(backend);
-      if(why)
-        *why = checker.violation();
-      return is_valid;
-    });
+  using Tag = internal::Checking_tag<NamedParameters>;
+  return internal::on_backend<Tag>(points, np, [&](auto& backend, const auto& traits) {
+    internal::Import in = internal::read_range(backend, points, np, traits);
+    const std::string violation = internal::violation_of_promises(backend, in, shapes);
+    if(why)
+      *why = violation;
+    return violation.empty();
   });
 }
 

@@ -6,7 +6,6 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/Plane_choice.h>
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
@@ -20,9 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,27 +43,11 @@ const Range& referred(const std::reference_wrapper<const Range>& range)
 constexpr double spacings_in_reach = 4;
 constexpr std::size_t few_to_label = 4096; // points: fewer are not worth a second thread
 
-// Reads the points of a range without its normals; nothing where it does not compile.
-template <class Backend, class PointRange, class NP>
-Import read_positions(Backend& backend, const PointRange& points, const NP& np)
-{
-  using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
-  using Traits =
-    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
-  if constexpr(std::conjunction<Range_check<PointRange>, typename Maps::Check>::value)
-    return read_points(backend, points,
-                       Item_reader<Traits>(Traits(), point_map_of<Traits>(points, np), CGAL::Default()));
-  else
-    return Import();
-}
-
 // The points of the shapes, by a range and maps that are those of the detection.
 template <class Backend, class Shapes, class PointRange, class NP>
 Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const PointRange& points, const NP& np)
 {
-  if(points.size() != shapes.number_of_points())
-    throw std::invalid_argument("shape_points has " + to_text(points.size()) + " points, the shapes are of " +
-                                to_text(shapes.number_of_points()) + ": pass the range of the detection.");
+  check_number_of_points("shape_points", points.size(), shapes);
   check_points(shapes, coordinates_of(points, np));
   const Import in = read_positions(backend, points, np);
   double reach = 0;
@@ -123,15 +104,13 @@ std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, c
     sort_by_cells(backend, in, *places, order);
   backend.for_each_piece(in.size(), few_to_label, [&](std::size_t first, std::size_t last) {
     Places_in_reach::Nearby nearby;
-    std::vector<Label_candidate> candidates;
     std::uint64_t cell = Places_in_reach::no_cell;
     for(std::size_t at = first; at < last; ++at) {
       const std::size_t i = places != nullptr ? order.view().index(at) : at;
       const Point_to_label point = point_to_label(in, i, p.maximum_distance);
       if(places != nullptr && std::exchange(cell, order.view().key(at)) != order.view().key(at))
         places->collect(cell, nearby);
-      labels[in.item_of(i)] =
-        places != nullptr ? choice.nearest(point, *places, nearby, candidates) : choice.nearest(point);
+      labels[in.item_of(i)] = places != nullptr ? choice.nearest(point, *places, nearby) : choice.nearest(point);
     }
   });
   return labels;
@@ -200,13 +179,11 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
 std::vector<std::int32_t> label_points(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                        const NamedParameters& np = NamedParameters())
 {
-  const internal::Round_to_nearest rounding;
   Parameters p = shapes.parameters();
   internal::read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
   internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
   check_parameters(p);
-  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
-    auto backend = traits.backend();
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
     const internal::Import in = internal::read_range(backend, points, np, traits);
     const std::vector<Coefficients>& planes = shapes.data().coefficients;
     if constexpr(internal::Is_given<internal_np::shape_points_t, NamedParameters>::value) {

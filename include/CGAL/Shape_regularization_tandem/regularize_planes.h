@@ -4,7 +4,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
 
-#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
@@ -14,7 +13,6 @@
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -120,10 +118,9 @@ template <class PlaneRange, class PointRange, class NamedParameters>
 Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& points, const NamedParameters& np)
 {
   using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
-  using Traits =
-    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  using Kernel = typename Maps::Kernel;
   using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
-  using RT = typename Maps::Kernel::RT;
+  using RT = typename Kernel::RT;
   const Round_to_nearest rounding;
   Parameters p;
   p.maximum_offset = 0.01;
@@ -140,14 +137,12 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
   const auto plane_map = parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
   std::vector<Coefficients> coefficients;
   for(auto it = planes.begin(); it != planes.end(); ++it) {
-    const typename Traits::Plane_3 s = get(plane_map, *it);
+    const typename Kernel::Plane_3 s = get(plane_map, *it);
     coefficients.push_back(
       {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())});
   }
-  const Traits traits(parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
   Sequential_backend backend;
-  Import in =
-    read_points(backend, points, Item_reader<Traits>(traits, point_map_of<Traits>(points, np), CGAL::Default()));
+  Import in = read_positions(backend, points, np);
   auto plane_of = read_plane_indices(in, parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   drop_unassigned(in, plane_of);
   const std::vector<Coefficients> given = coefficients;
@@ -156,11 +151,12 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
   result.fixed_direction = fixed_directions_of(directions, p);
   result.symmetry_group = symmetry_groups(directions, p);
   change_to_unit_normals(given, result);
+  const auto construct = parameter<internal_np::geom_traits_t>(np, Kernel()).construct_plane_3_object();
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {
       const Coefficients& c = coefficients[s];
-      put(plane_map, *it, traits.construct_plane_3_object()(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
+      put(plane_map, *it, construct(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
     }
   return result;
 }

@@ -5,9 +5,9 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPES_OF_PLANES_H
 
 #include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -43,16 +43,6 @@ inline Coefficients unit_plane(const Coefficients& c, std::size_t index)
   return unit_plane;
 }
 
-// The numbers of equal keys, in the order in which they come first.
-template <class Key>
-class Numbering {
-public:
-  int operator()(const Key& key) { return number_.emplace(key, int(number_.size())).first->second; }
-
-private:
-  std::map<Key, int> number_;
-};
-
 // Planes of unit normal, and their groups: those of the same normal, up to its sign, which becomes that of the first.
 inline void take_planes(const std::vector<Coefficients>& planes, Shapes_data& data)
 {
@@ -74,9 +64,9 @@ inline void take_planes(const std::vector<Coefficients>& planes, Shapes_data& da
 }
 
 // From the labels of imported points, in doubles: sums may depend on the order of points by rounding.
-template <class Positions>
-void measure_labels(const Import& in, const Positions& position, Shapes_data& data)
+inline void measure_labels(const Import& in, Shapes_data& data)
 {
+  const auto position = [&](std::size_t i) { return in.position(i); };
   const std::size_t shapes = data.coefficients.size();
   std::vector<std::vector<std::uint32_t>> points(shapes);
   std::vector<std::size_t> opposed(shapes, 0);
@@ -143,11 +133,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
 auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange& points,
                       const NamedParameters& np = NamedParameters())
 {
-  const internal::Round_to_nearest rounding;
   CGAL::Real_timer timer;
   timer.start();
-  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
-    auto backend = traits.backend();
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
     Parameters p = internal::read_parameters(np);
     internal::Import in = internal::read_range(backend, points, np, traits);
     const std::string note = internal::set_scale(backend, in, internal::has_own_offset(np), p);
@@ -155,8 +143,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
     internal::take_planes(planes, data);
     data.shape_of = internal::labels_by_planes(backend, in, data.coefficients, p);
     data.statistics.has_estimated_normals = false;
-    internal::measure_labels(
-      in, [&](std::size_t i) { return in.position(i); }, data);
+    internal::measure_labels(in, data);
     internal::relate_groups(data);
     internal::measure_relations(data, {});
     data.statistics.score = {};

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +70,18 @@ struct Parameters {
 /// \ingroup PkgShapeRegularizationTandemRef
 /// a function that gets the progress of a detection, in [0, 1], and cancels the detection by returning `false`
 using Callback = std::function<bool(double)>;
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+What is to be said of a `maximum_distance` that `estimate_parameters()` estimated: \ref Tandem_parameters_estimated.
+*/
+struct Distance_estimate {
+  /// where one distance for all points is a compromise, a sentence that says why; otherwise nothing
+  std::string note;
+  /// whether that is because the noise varies for certain. Then `estimate_local_distances()` fits better.
+  bool noise_varies = false;
+};
 
 } // namespace Tandem
 } // namespace CGAL

@@ -87,7 +87,7 @@ std::uint64_t test_point_set(const std::vector<Box_point>& cloud, const std::str
     points.insert(p.first, p.second);
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
-  check_equal(violation_of(points, shapes, np::default_values()), "", name);
+  check_equal(violation_of(points, shapes, CGAL::parameters::Default_named_parameters()), "", name);
   CHECK_AT(!shapes.has_estimated_normals(), name);
 
   // Without its normals, by request or because there are none.
@@ -108,7 +108,7 @@ std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string
     points.push_back(p.first);
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
-  check_equal(violation_of(points, shapes, np::default_values()), "", name);
+  check_equal(violation_of(points, shapes, CGAL::parameters::Default_named_parameters()), "", name);
   for(std::size_t i = 0; i < points.size(); ++i)
     if(shapes.shape_index(i) >= 0)
       CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);

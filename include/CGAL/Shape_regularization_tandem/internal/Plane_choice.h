@@ -144,12 +144,6 @@ struct Point_to_label {
   double tolerance;
 };
 
-// A shape that takes a point by its plane.
-struct Label_candidate {
-  double distance;
-  const Places_in_reach::Group* group;
-};
-
 class Plane_choice {
 public:
   // Coordinates of points are at most `largest`, in absolute value.
@@ -184,28 +178,21 @@ public:
   }
 
   // The same of the shapes that have a place within reach. Of several, the one with the nearest place, then the first.
-  // candidates: memory of this thread.
-  int nearest(const Point_to_label& p, const Places_in_reach& all, const Places_in_reach::Nearby& nearby,
-              std::vector<Label_candidate>& candidates) const
+  int nearest(const Point_to_label& p, const Places_in_reach& all, const Places_in_reach::Nearby& nearby) const
   {
-    candidates.clear();
-    for(const Places_in_reach::Group& group : nearby.groups)
-      if(const double d = distance(p, std::size_t(group.shape)); d < HUGE_VAL)
-        candidates.push_back({d, &group});
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Label_candidate& a, const Label_candidate& b) { return a.distance < b.distance; });
-    for(std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
-      double least = HUGE_VAL;
-      int shape = -1;
-      for(; last < candidates.size() && candidates[last].distance == candidates[first].distance; ++last)
-        if(const double d = squared_distance(p.position, all, *candidates[last].group, nearby); d < least) {
-          least = d;
-          shape = candidates[last].group->shape;
-        }
-      if(all.is_within(least))
-        return shape;
+    std::pair<double, double> least(HUGE_VAL, HUGE_VAL); // from the plane, and from the nearest place
+    int shape = -1;
+    for(const Places_in_reach::Group& group : nearby.groups) {
+      const double d = distance(p, std::size_t(group.shape));
+      if(d == HUGE_VAL || d > least.first)
+        continue;
+      const std::pair<double, double> both(d, squared_distance(p.position, all, group, nearby));
+      if(both < least && all.is_within(both.second)) {
+        least = both;
+        shape = group.shape;
+      }
     }
-    return -1;
+    return shape;
   }
 
 private:

@@ -18,12 +18,15 @@
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,8 +34,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// --- Checks of planes, groups and their relations, from the tables of the shapes alone. Each function returns the first
-// violation, or an empty text. Later ones rely on earlier ones.
+// --- Checks of planes, groups and their relations, from the tables of the shapes alone. Each function throws the first
+// violation. Later ones rely on earlier ones.
+
+[[noreturn]] inline void refuse(const std::string& violation) { throw std::invalid_argument(violation); }
 
 // A name with its index, for messages.
 inline std::string numbered(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
@@ -43,15 +48,14 @@ inline std::string text_of(const std::pair<int, int>& groups)
 }
 
 // Unit normals up to rounding, and finite offsets.
-inline std::string plane_violation(const Shapes_data& data)
+inline void check_planes(const Shapes_data& data)
 {
   for(std::size_t s = 0; s < data.coefficients.size(); ++s) {
     const Coefficients& c = data.coefficients[s];
     const double length = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
     if(!(std::fabs(length - 1) <= 1e-15) || !std::isfinite(c[3]))
-      return numbered("no unit normal in shape", s) + ": length - 1 is " + to_text(length - 1);
+      refuse(numbered("no unit normal in shape", s) + ": length - 1 is " + to_text(length - 1));
   }
-  return {};
 }
 
 // Compares bits, not values: 0 and -0 differ.
@@ -63,7 +67,7 @@ inline bool have_same_bits(const Coefficients& a, const Coefficients& b, std::si
 // Exact relations: the planes of a group have the same bits, as doubles and in the kernel. Groups are numbered without
 // gaps, in the order in which the shapes have them first.
 template <class Shapes>
-std::string group_violation(const Shapes& shapes)
+void check_groups(const Shapes& shapes)
 {
   const Shapes_data& data = shapes.data();
   const std::vector<int> direction = representatives(data.parallel_group);
@@ -71,62 +75,59 @@ std::string group_violation(const Shapes& shapes)
   for(const std::vector<int>* first : {&direction, &plane})
     for(std::size_t g = 0; g < first->size(); ++g)
       if((*first)[g] < 0)
-        return numbered("no shape in group", g);
+        refuse(numbered("no shape in group", g));
   for(std::size_t s = 0; s < data.coefficients.size(); ++s) {
     const std::size_t r = std::size_t(direction[data.parallel_group[s]]);
     const std::size_t p = std::size_t(plane[data.coplanar_group[s]]);
     if(!have_same_bits(data.coefficients[s], data.coefficients[r], 3) ||
        shapes.plane(s).orthogonal_vector() != shapes.plane(r).orthogonal_vector())
-      return numbered("not exactly parallel are shape", s) + numbered(" and", r);
+      refuse(numbered("not exactly parallel are shape", s) + numbered(" and", r));
     if(!have_same_bits(data.coefficients[s], data.coefficients[p], 4) || shapes.plane(s) != shapes.plane(p) ||
        data.parallel_group[s] != data.parallel_group[p])
-      return numbered("not exactly coplanar are shape", s) + numbered(" and", p);
+      refuse(numbered("not exactly coplanar are shape", s) + numbered(" and", p));
   }
   if(!std::is_sorted(direction.begin(), direction.end()) || !std::is_sorted(plane.begin(), plane.end()))
-    return "the groups are not numbered in the order of their shapes";
-  return {};
+    refuse("the groups are not numbered in the order of their shapes");
 }
 
 // Exact relations: the dot product of each orthogonal pair of groups, in plain double arithmetic. Pairs are sorted, and
 // name groups that exist.
-inline std::string orthogonality_violation(const Shapes_data& data)
+inline void check_orthogonality(const Shapes_data& data)
 {
   const std::vector<int> first = representatives(data.parallel_group);
   const auto& pairs = data.orthogonal_groups;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
     const std::pair<int, int>& pair = pairs[i];
     if(pair.first < 0 || pair.first >= pair.second || std::size_t(pair.second) >= first.size())
-      return "no such pair of orthogonal groups: " + text_of(pair);
+      refuse("no such pair of orthogonal groups: " + text_of(pair));
     if(i > 0 && !(pairs[i - 1] < pair))
-      return "listed twice, or not sorted, are the orthogonal groups " + text_of(pair);
+      refuse("listed twice, or not sorted, are the orthogonal groups " + text_of(pair));
     const Coefficients &a = data.coefficients[first[pair.first]], &b = data.coefficients[first[pair.second]];
     const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     if(!(std::fabs(product) <= 1e-15))
-      return "not orthogonal are groups " + text_of(pair) + ": the dot product is " + to_text(product);
+      refuse("not orthogonal are groups " + text_of(pair) + ": the dot product is " + to_text(product));
   }
-  return {};
 }
 
 // Exact relations to what was given: the bits of a fixed direction, the cosine of the angle to the axis.
-inline std::string given_direction_violation(const Shapes_data& data, const std::vector<Vector>& directions)
+inline void check_given_directions(const Shapes_data& data, const std::vector<Vector>& directions)
 {
   const std::vector<int> fixed = fixed_directions_of(directions, data.parameters);
   const std::vector<int> symmetry = symmetry_groups(directions, data.parameters);
   if(data.fixed_direction.size() != fixed.size() || data.symmetry_group.size() != symmetry.size())
-    return "the tables of the parallel groups differ in size";
+    refuse("the tables of the parallel groups differ in size");
   for(std::size_t g = 0; g < directions.size(); ++g) {
     if(data.fixed_direction[g] != fixed[g])
-      return numbered("not exactly a fixed direction has group", g) + ": it is said to have " +
-             to_text(data.fixed_direction[g]) + ", and has " + to_text(fixed[g]);
+      refuse(numbered("not exactly a fixed direction has group", g) + ": it is said to have " +
+             to_text(data.fixed_direction[g]) + ", and has " + to_text(fixed[g]));
     if(data.symmetry_group[g] != symmetry[g])
-      return numbered("not symmetric is group", g) + ": it is said to be in symmetry group " +
-             to_text(data.symmetry_group[g]) + ", and is in " + to_text(symmetry[g]);
+      refuse(numbered("not symmetric is group", g) + ": it is said to be in symmetry group " +
+             to_text(data.symmetry_group[g]) + ", and is in " + to_text(symmetry[g]));
   }
-  return {};
 }
 
 // All relations that the planes have, and no others, are in the result.
-inline std::string listing_violation(const Shapes_data& data)
+inline void check_listing(const Shapes_data& data)
 {
   const std::vector<Vector> directions = group_directions(data.parallel_group, data.coefficients);
   const auto& listed = data.orthogonal_groups;
@@ -134,49 +135,45 @@ inline std::string listing_violation(const Shapes_data& data)
   const auto found = orthogonal_pairs(directions, listed.size());
   std::set_difference(found.begin(), found.end(), listed.begin(), listed.end(), std::back_inserter(difference));
   if(!difference.empty())
-    return "not listed are the orthogonal groups " + text_of(difference[0]);
+    refuse("not listed are the orthogonal groups " + text_of(difference[0]));
   std::set_difference(listed.begin(), listed.end(), found.begin(), found.end(), std::back_inserter(difference));
   if(!difference.empty())
-    return "not orthogonal are groups " + text_of(difference[0]);
-  return given_direction_violation(data, directions);
+    refuse("not orthogonal are groups " + text_of(difference[0]));
+  check_given_directions(data, directions);
 }
 
 // --- What all processes have of a result, as one number.
 
-// Of all but what is said of single points. Shapes: a Planar_shapes_3.
-template <class Shapes>
-std::uint64_t common_hash(const Shapes_data& data)
+// Of all but what is said of single points.
+inline std::uint64_t common_hash(const Shapes_data& data)
 {
-  std::uint64_t h = 0;
+  std::vector<double> numbers;
   const auto add = [&](const auto& list) {
-    Shapes::add_to_hash(h, list.size());
-    for(const auto& x : list)
-      Shapes::add_to_hash(h, std::uint64_t(x));
+    numbers.push_back(double(list.size()));
+    numbers.insert(numbers.end(), list.begin(), list.end());
   };
-  const auto add_number = [&](double x) { Shapes::add_to_hash(h, {{x, 0, 0, 0}}); };
-  Shapes::add_to_hash(h, data.coefficients);
+  for(const Coefficients& c : data.coefficients)
+    add(c);
   add(data.size);
   add(data.parallel_group);
   add(data.coplanar_group);
   add(data.is_flipped);
   for(const Plane_uncertainty& u : data.uncertainty) {
-    Shapes::add_to_hash(h, {{u.centroid[0], u.centroid[1], u.centroid[2], u.noise}});
-    add_number(u.offset_deviation);
-    add_number(u.angle_deg);
-    for(const double x : u.normal_covariance)
-      add_number(x);
+    add(u.centroid);
+    add(u.normal_covariance);
+    add(std::array<double, 3>{u.noise, u.offset_deviation, u.angle_deg});
   }
   add(data.fixed_direction);
   add(data.symmetry_group);
   for(const auto& pair : data.orthogonal_groups)
-    add(std::vector<int>{pair.first, pair.second});
+    add(std::array<int, 2>{pair.first, pair.second});
   for(const auto& parameter : listed(data.parameters))
-    add_number(parameter.second);
-  add(std::vector<std::size_t>{data.statistics.number_of_rounds, data.statistics.is_cancelled});
-  const Result_score& score = data.statistics.score;
-  for(const double x : {score.fit, score.links, score.size, score.price, score.freedom})
-    add_number(x);
-  return h;
+    numbers.push_back(parameter.second);
+  const Statistics& t = data.statistics;
+  add(std::array<double, 7>{double(t.number_of_rounds), double(t.is_cancelled), t.score.fit, t.score.links,
+                            t.score.size, t.score.price, t.score.freedom});
+  const auto* bytes = reinterpret_cast<const char*>(numbers.data());
+  return std::hash<std::string_view>()(std::string_view(bytes, numbers.size() * sizeof(double)));
 }
 
 // Memory and time are those of a neighbor search, and of a few passes over the points.
@@ -188,108 +185,67 @@ public:
   // The grid of the points is chosen here.
   Result_checker(Import& in, const Shapes& shapes) : in_(in), shapes_(shapes), data_(shapes.data()) {}
 
-  // Stops at the first check that fails, which sets violation(). Later checks rely on earlier ones: parameters are
-  // those of a detection, and indices are valid, before anything is computed with them. All ranks stop at the same
-  // check.
+  // Throws the first violation, which stops all ranks: later checks rely on earlier ones. Parameters are those of a
+  // detection, and indices are valid, before anything is computed with them.
   template <class Backend>
-  bool check(Backend& backend)
+  void check(Backend& backend)
   {
     const Ranks<Backend> ranks(backend);
-    return passes_on_all(ranks, check_parameters()) && check_same(ranks) && passes_on_all(ranks, place(ranks)) &&
-           passes_on_all(ranks, check_here()) && passes_on_all(ranks, check_sums(ranks)) &&
-           passes_on_all(ranks, check_connectivity(backend)) && passes(listing_violation(data_));
+    // There is a detection with these parameters, and a grid for the points.
+    Tandem::check_parameters(data_.parameters);
+    check_same(ranks);
+    drop_far_points(ranks, in_, data_.parameters.maximum_distance);
+    choose_grid(in_, data_.parameters);
+    check_tables();
+    check_labels();
+    check_lists();
+    check_planes(data_);
+    check_groups(shapes_);
+    check_orthogonality(data_);
+    check_points();
+    check_sums(ranks);
+    check_connectivity(backend);
+    check_listing(data_);
   }
-
-  const std::string& violation() const { return violation_; }
 
 private:
-  // Notes the violation; false, to be returned.
-  bool fail(const std::string& what)
-  {
-    violation_ = what;
-    return false;
-  }
-
-  bool passes(const std::string& violation) { return violation.empty() || fail(violation); }
-
-  // Where a check fails on some ranks, the violation is that of the first one.
-  template <class Ranks>
-  bool passes_on_all(const Ranks& ranks, bool passes_here)
-  {
-    const std::string own = passes_here ? "" : violation_ + '\0';
-    const std::vector<char> all = ranks.gather(std::vector<char>(own.begin(), own.end()));
-    return all.empty() || fail(all.data());
-  }
-
-  bool check_here()
-  {
-    return check_tables() && check_labels() && check_lists() && passes(plane_violation(data_)) &&
-           passes(group_violation(shapes_)) && passes(orthogonality_violation(data_)) && check_points();
-  }
-
-  // There is a detection with these parameters ...
-  bool check_parameters()
-  {
-    try {
-      Tandem::check_parameters(data_.parameters);
-      return true;
-    } catch(const std::invalid_argument& refusal) {
-      return fail(refusal.what());
-    }
-  }
-
-  // ... and a grid for the points.
-  template <class Ranks>
-  bool place(const Ranks& ranks)
-  {
-    try {
-      drop_far_points(ranks, in_, data_.parameters.maximum_distance);
-      choose_grid(in_, data_.parameters);
-      return true;
-    } catch(const std::range_error& refusal) {
-      return fail(refusal.what());
-    }
-  }
-
   // Corrupted tables may have any number.
   static bool is_index(int i, std::size_t size) { return i >= 0 && std::size_t(i) < size; }
 
   // Sizes of the tables, and that groups of shapes exist: the indices of all later checks.
-  bool check_tables()
+  void check_tables()
   {
     const std::size_t n = data_.coefficients.size();
     if(data_.size.size() != n || data_.parallel_group.size() != n || data_.coplanar_group.size() != n ||
        data_.is_flipped.size() != n || data_.uncertainty.size() != n)
-      return fail("the tables of the shapes differ in size");
+      refuse("the tables of the shapes differ in size");
     if(data_.shape_of.size() != in_.number_of_items)
-      return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
-                  " points");
+      refuse("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
+             " points");
     const std::size_t normals = in_.has_normals ? 0 : in_.number_of_items;
     if(data_.normal.size() != normals)
-      return fail("there are " + to_text(data_.normal.size()) + " estimated normals instead of " + to_text(normals));
+      refuse("there are " + to_text(data_.normal.size()) + " estimated normals instead of " + to_text(normals));
     for(std::size_t s = 0; s < n; ++s)
       if(!is_index(data_.parallel_group[s], n) || !is_index(data_.coplanar_group[s], n))
-        return fail(numbered("no group for shape", s));
-    return true;
+        refuse(numbered("no group for shape", s));
   }
 
   // Partition: each point has a shape of the result or none. Points that were left out have none.
-  bool check_labels()
+  void check_labels()
   {
     for(std::size_t i = 0; i < data_.shape_of.size(); ++i)
       if(data_.shape_of[i] != -1 && !is_index(data_.shape_of[i], data_.coefficients.size()))
-        return fail(numbered("the shape index is out of range at point", i) + ": " + to_text(data_.shape_of[i]));
+        refuse(numbered("the shape index is out of range at point", i) + ": " + to_text(data_.shape_of[i]));
     std::vector<char> is_known(in_.number_of_items, 0);
     for(std::size_t i = 0; i < in_.size(); ++i)
       is_known[in_.item_of(i)] = 1;
     for(std::size_t i = 0; i < is_known.size(); ++i)
       if(!is_known[i] && (data_.shape_of[i] >= 0 || (!in_.has_normals && data_.normal[i] != no_normal)))
-        return fail(numbered("a shape or a normal has the invalid point", i));
-    return true;
+        refuse(numbered("a shape or a normal has the invalid point", i));
   }
 
   // The points of each shape, ascending, are those of its index.
-  bool check_lists()
+  void check_lists()
   {
     const std::vector<std::size_t>& first = shapes_.point_groups().first;
     const auto& position = shapes_.point_groups().position;
@@ -298,18 +254,17 @@ private:
       assigned += s >= 0;
     if(first.size() != data_.coefficients.size() + 1 || first[0] != 0 || first.back() != position.size() ||
        position.size() != assigned || !std::is_sorted(first.begin(), first.end()))
-      return fail("the lists of the points of the shapes have other sizes than the shapes");
+      refuse("the lists of the points of the shapes have other sizes than the shapes");
     for(std::size_t s = 0; s + 1 < first.size(); ++s)
       for(std::size_t i = first[s]; i < first[s + 1]; ++i)
         if(position[i] >= data_.shape_of.size() || data_.shape_of[position[i]] != std::int32_t(s) ||
            (i > first[s] && position[i - 1] >= position[i]))
-          return fail(numbered("other points than those of its index are listed for shape", s));
-    return true;
+          refuse(numbered("other points than those of its index are listed for shape", s));
   }
 
   // Fidelity: distance and angle of each point of a shape, on the caller's values. The added terms bound the rounding
   // of this evaluation.
-  bool check_points()
+  void check_points()
   {
     constexpr double packing = 2e-4; // the method decides on sides with normals that are packed, and so turned a little
     const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
@@ -327,33 +282,32 @@ private:
       const double epsilon = data_.parameters.maximum_distance;
       const double tolerance = in_.has_tolerances ? (std::min)(in_.tolerances[i], epsilon) : epsilon;
       if(!(distance <= tolerance + 8 * 2.3e-16 * largest))
-        return fail(numbered("too far from its plane is point", item) + ": " + to_text(distance) +
-                    " from the plane of " + numbered("shape", s));
+        refuse(numbered("too far from its plane is point", item) + ": " + to_text(distance) + " from the plane of " +
+               numbered("shape", s));
       const Vector n = in_.has_normals ? in_.normal(i) : unpacked_normal(data_.normal[item]);
       const double aligned = c[0] * n.x + c[1] * n.y + c[2] * n.z;
       // With a maximum_angle of nearly 90 degrees, a normal within the plane must still fail.
       if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
-        return fail(numbered("too oblique is the normal of point", item) + ": the cosine is " +
-                    to_text(std::fabs(aligned)) + " with that of " + numbered("shape", s));
+        refuse(numbered("too oblique is the normal of point", item) + ": the cosine is " + to_text(std::fabs(aligned)) +
+               " with that of " + numbered("shape", s));
       sides_[2 * s] += aligned < -packing;
       sides_[2 * s + 1] += aligned < packing;
     }
-    return true;
   }
 
   // All processes have the same shapes, up to the points. What follows is then the same on all of them.
   template <class Ranks>
-  bool check_same(const Ranks& ranks)
+  void check_same(const Ranks& ranks)
   {
-    const std::uint64_t own = common_hash<Shapes>(data_);
+    const std::uint64_t own = common_hash(data_);
     const std::vector<std::uint64_t> all = ranks.gather(std::vector<std::uint64_t>{own});
-    return std::count(all.begin(), all.end(), own) == std::ptrdiff_t(all.size()) ||
-           fail("the processes have different shapes or parameters");
+    if(std::count(all.begin(), all.end(), own) != std::ptrdiff_t(all.size()))
+      refuse("the processes have different shapes or parameters");
   }
 
   // What is summed over the points of all ranks.
   template <class Ranks>
-  bool check_sums(const Ranks& ranks)
+  void check_sums(const Ranks& ranks)
   {
     const std::size_t n = data_.coefficients.size();
     std::vector<std::uint64_t> size;
@@ -361,39 +315,38 @@ private:
       size.push_back(shapes_.points(s).size());
     size = ranks.total(std::move(size));
     sides_ = ranks.total(std::move(sides_));
-    return check_sizes(size) && check_sides(size);
+    check_sizes(size);
+    check_sides(size);
   }
 
   // Size: the number of points, and no shape is below the minimum.
-  bool check_sizes(const std::vector<std::uint64_t>& size)
+  void check_sizes(const std::vector<std::uint64_t>& size)
   {
     for(std::size_t s = 0; s < size.size(); ++s) {
       if(size[s] != data_.size[s])
-        return fail(numbered("the size is wrong of shape", s) + ": " + to_text(data_.size[s]) + " instead of " +
-                    to_text(size[s]) + " points");
+        refuse(numbered("the size is wrong of shape", s) + ": " + to_text(data_.size[s]) + " instead of " +
+               to_text(size[s]) + " points");
       if(size[s] < data_.parameters.minimum_region_size)
-        return fail(numbered("too small is shape", s) + ": " + to_text(size[s]) + " points");
+        refuse(numbered("too small is shape", s) + ": " + to_text(size[s]) + " points");
     }
-    return true;
   }
 
   // Whether most normals are opposite. Estimated normals have no side.
-  bool check_sides(const std::vector<std::uint64_t>& size)
+  void check_sides(const std::vector<std::uint64_t>& size)
   {
     for(std::size_t s = 0; s < size.size(); ++s) {
       const char is_flipped = data_.is_flipped[s];
       const bool may_be = in_.has_normals && 2 * sides_[2 * s + 1] > size[s];
       const bool must_be = in_.has_normals && 2 * sides_[2 * s] > size[s];
       if(!(is_flipped == 0 && !must_be) && !(is_flipped == 1 && may_be))
-        return fail(numbered("wrongly flipped or not is shape", s));
+        refuse(numbered("wrongly flipped or not is shape", s));
     }
-    return true;
   }
 
   // Connectivity: the surfels of each shape are one component. Two surfels are adjacent if one is a neighbor of the
   // other, or both are neighbors of one surfel.
   template <class Backend>
-  bool check_connectivity(Backend& backend)
+  void check_connectivity(Backend& backend)
   {
     Labeled_points points = {data_.parameters, data_.coefficients, {}, {}};
     for(std::size_t i = 0; i < in_.size(); ++i) {
@@ -402,7 +355,8 @@ private:
         points.normal.push_back(data_.normal[in_.item_of(i)]);
     }
     const std::size_t s = first_unconnected(backend, in_, points);
-    return s == points.shapes() || fail(numbered("not connected is shape", s));
+    if(s != points.shapes())
+      refuse(numbered("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.
@@ -410,8 +364,21 @@ private:
   const Shapes& shapes_;
   const Shapes_data& data_;
   std::vector<std::uint64_t> sides_; // of each shape: the normals that are surely, and those that may be opposite
-  std::string violation_;            // empty as long as every check has passed
 };
+
+// The first violation, or an empty text.
+template <class Backend, class GeomTraits>
+std::string violation_of_promises(Backend& backend, Import& in, const Planar_shapes_3<GeomTraits>& shapes)
+{
+  try {
+    Ranks<Backend>(backend).together([&] { Result_checker<GeomTraits>(in, shapes).check(backend); });
+  } catch(const std::invalid_argument& violation) {
+    return violation.what();
+  } catch(const std::range_error& no_grid) {
+    return no_grid.what();
+  }
+  return {};
+}
 
 } // namespace internal
 } // namespace Tandem

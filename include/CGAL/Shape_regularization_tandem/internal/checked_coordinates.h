@@ -1,16 +1,19 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points of a result: coordinates in double, whatever the kernel of the caller is.
+// What models are made of, checked: the points of a result, and the direction upward. In double, whatever the kernel of
+// the caller is.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_CHECKED_COORDINATES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_CHECKED_COORDINATES_H
 
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +27,31 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The direction upward, of length 1.
+template <class Vector_3>
+Vector upward(const Vector_3& v)
+{
+  const double c[3] = {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+  const double largest = (std::max)({std::fabs(c[0]), std::fabs(c[1]), std::fabs(c[2])});
+  if(!(largest > 0) || !std::all_of(c, c + 3, [](double x) { return std::isfinite(x); }))
+    throw std::invalid_argument("symmetry_direction must be a vector of positive, finite length.");
+  const double x = c[0] / largest, y = c[1] / largest, z = c[2] / largest;
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length};
+}
+
+template <class Any_shapes>
+void check_number_of_points(const std::string& range, std::size_t number_of_points, const Any_shapes& shapes)
+{
+  if(number_of_points != shapes.number_of_points())
+    throw std::invalid_argument(range + " has " + std::to_string(number_of_points) + " points, the shapes are of " +
+                                std::to_string(shapes.number_of_points()) + ": pass the range of the detection.");
+}
+
 template <class Any_shapes>
 void check_input(const Any_shapes& shapes, std::size_t number_of_points)
 {
-  if(number_of_points != shapes.number_of_points())
-    throw std::invalid_argument("The range has " + std::to_string(number_of_points) + " points, the shapes are of " +
-                                std::to_string(shapes.number_of_points()) + ": pass the range of the detection.");
+  check_number_of_points("The range", number_of_points, shapes);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     if(shapes.points(s).size() != shapes.size(s))
       throw std::logic_error("Points of shapes are in other processes: pass a result of one process.");
@@ -41,13 +63,9 @@ template <class PointRange, class NP>
 auto coordinates_of(const PointRange& points, const NP& np)
 {
   std::vector<Position> result;
-  if constexpr(Traits_for<CGAL::Sequential_tag, PointRange, NP, false>::Check::value) {
-    const auto map = [&] {
-      if constexpr(Is_given<internal_np::point_t, NP>::value)
-        return parameter<internal_np::point_t>(np, 0);
-      else
-        return Own_maps<PointRange>::point_map(points);
-    }();
+  using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
+  if constexpr(Maps::Check::value) {
+    const auto map = point_map_of<typename Maps::type>(points, np);
     result.reserve(points.size());
     for(const auto& item : points) {
       const auto& p = get(map, item);

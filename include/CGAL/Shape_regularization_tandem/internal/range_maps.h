@@ -1,17 +1,19 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The property maps and traits for a range: maps of the named parameters if given, otherwise those that the range has.
-// Reads nothing of the points itself.
+// What functions of a range begin with: its property maps and traits, and the back end. Maps of the named parameters are
+// taken if given, otherwise those that the range has.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
 
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -262,6 +264,20 @@ Import read_range(Backend& backend, const typename Traits::Point_range& points, 
     return Import();
 }
 
+// Reads the points of a range only, also where it has normals; nothing where it does not compile.
+template <class Backend, class PointRange, class NP>
+Import read_positions(Backend& backend, const PointRange& points, const NP& np)
+{
+  using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
+  using Traits =
+    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  if constexpr(std::conjunction<Range_check<PointRange>, typename Maps::Check>::value) {
+    const Traits traits(parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
+    return read_points(backend, points, Item_reader<Traits>(traits, point_map_of<Traits>(points, np), CGAL::Default()));
+  } else
+    return Import();
+}
+
 // The traits of that geometry and, where processes work together, of the communicator of the named parameters.
 template <class Traits, class NP>
 Traits make_traits(const typename Traits::Geom_traits& geom_traits, const NP& np)
@@ -295,6 +311,23 @@ auto with_traits(const PointRange& points, const NP& np, F f)
     if(Own::has_normals(points))
       return f(make_traits<typename Traits_for<ConcurrencyTag, PointRange, NP, true>::type>(kernel, np));
   return f(make_traits<Traits>(kernel, np));
+}
+
+// While one exists, this thread rounds to the nearest double, on which equal bits depend. Then the caller's rounding
+// mode is set again. Threads of the back ends take over the mode of this one.
+struct Round_to_nearest {
+  CGAL::Protect_FPU_rounding<true> protect = CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST);
+};
+
+// f(backend, traits) on all ranks, with the traits that fit the range.
+template <class ConcurrencyTag, class PointRange, class NP, class F>
+auto on_backend(const PointRange& points, const NP& np, F f)
+{
+  const Round_to_nearest rounding;
+  return with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
+    auto backend = traits.backend();
+    return Ranks<decltype(backend)>(backend).together([&] { return f(backend, traits); });
+  });
 }
 
 } // namespace internal

@@ -8,9 +8,9 @@
 
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -19,19 +19,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// From 0, in the order in which the shapes have the groups first. group: of each shape, with gaps.
-inline std::vector<int> without_gaps(const std::vector<int>& group)
-{
-  std::vector<int> number, result;
-  int numbers = 0;
-  for(int g : group) {
-    number.resize((std::max)(number.size(), std::size_t(g) + 1), -1);
-    if(number[std::size_t(g)] < 0)
-      number[std::size_t(g)] = numbers++;
-    result.push_back(number[std::size_t(g)]);
-  }
-  return result;
-}
+// The numbers of equal keys, in the order in which they come first.
+template <class Key>
+class Numbering {
+public:
+  int operator()(const Key& key) { return number_.emplace(key, int(number_.size())).first->second; }
+
+private:
+  std::map<Key, int> number_;
+};
 
 // What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance,
 // the reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score
@@ -55,15 +51,14 @@ inline Shapes_data relabel_shapes(const Shapes_data& data, const std::vector<std
                                   const std::vector<int>& shape_of)
 {
   Shapes_data result;
+  Numbering<int> parallel, coplanar;
   for(std::size_t s : source) {
     result.coefficients.push_back(data.coefficients[s]);
-    result.parallel_group.push_back(data.parallel_group[s]);
-    result.coplanar_group.push_back(data.coplanar_group[s]);
+    result.parallel_group.push_back(parallel(data.parallel_group[s]));
+    result.coplanar_group.push_back(coplanar(data.coplanar_group[s]));
     result.is_flipped.push_back(data.is_flipped[s]);
     result.uncertainty.push_back(data.uncertainty[s]);
   }
-  result.parallel_group = without_gaps(result.parallel_group);
-  result.coplanar_group = without_gaps(result.coplanar_group);
   result.size.assign(source.size(), 0);
   for(std::size_t t = 0; t < shape_of.size(); ++t)
     if(shape_of[t] >= 0)

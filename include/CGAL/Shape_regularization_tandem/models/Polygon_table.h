@@ -25,15 +25,23 @@ namespace outlines {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Polygon = Indexed_polygon;
 
+// The first of the largest numbers of a normal.
+template <class Numbers>
+std::size_t steepest_axis(const Numbers& normal)
+{
+  std::size_t steepest = 0;
+  for(std::size_t k = 1; k < 3; ++k)
+    if(std::fabs(normal[k]) > std::fabs(normal[steepest]))
+      steepest = k;
+  return steepest;
+}
+
 // Without the coordinate along which the plane is steepest, seen from where the normal points to. Nothing is rounded:
 // what lines are here, simple for example, they are as they are written. Areas shrink by `shrinkage()`.
 class Projection {
 public:
-  explicit Projection(const Coefficients& plane) : plane(plane)
+  explicit Projection(const Coefficients& plane) : plane(plane), steepest(steepest_axis(plane))
   {
-    for(std::size_t k = 1; k < 3; ++k)
-      if(std::fabs(plane[k]) > std::fabs(plane[steepest]))
-        steepest = k;
     axes = {(steepest + 1) % 3, (steepest + 2) % 3};
     if(plane[steepest] < 0)
       std::swap(axes[0], axes[1]);
@@ -54,11 +62,10 @@ public:
   }
 
   double shrinkage() const { return std::fabs(plane[steepest]); }
-  std::size_t steepest_axis() const { return steepest; }
 
 private:
   Coefficients plane;
-  std::size_t steepest = 0;
+  std::size_t steepest;
   std::array<std::size_t, 2> axes;
 };
 

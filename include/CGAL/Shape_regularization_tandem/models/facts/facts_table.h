@@ -17,7 +17,6 @@
 #include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,11 +33,6 @@ namespace facts {
 
 inline double degrees(double radians) { return radians / angles::radians_per_degree; }
 
-// In degrees.
-struct Slope {
-  double tilt, dip, azimuth;
-};
-
 // The upward direction, and north and east: the axes z, y and x after the smallest rotation that takes z upward.
 class Level_frame {
 public:
@@ -53,17 +47,21 @@ public:
 
   // Of a plane whose outward unit normal this is. Planes that were made level or vertical are so up to rounding, which
   // must not choose their azimuth.
-  Slope slope(const Vector& normal) const
+  Shape_facts facts_of_plane(const Vector& normal) const
   {
+    Shape_facts f;
     const double cosine = dot(up, normal);
     const Vector level = add_scaled(normal, -cosine, up);
     const double sine = length(level);
-    if(sine <= rounding)
-      return {cosine < 0 ? 180. : 0., 0, 0};
-    if(std::fabs(cosine) <= rounding)
-      return {90, 90, azimuth(level)};
-    const double tilt = degrees(std::atan2(sine, cosine));
-    return {tilt, (std::min)(tilt, 180 - tilt), azimuth(cosine > 0 ? level : -level)};
+    if(sine <= rounding) {
+      f.tilt_deg = cosine < 0 ? 180 : 0;
+      return f;
+    }
+    const bool is_vertical = std::fabs(cosine) <= rounding;
+    f.tilt_deg = is_vertical ? 90 : degrees(std::atan2(sine, cosine));
+    f.dip_deg = (std::min)(f.tilt_deg, 180 - f.tilt_deg);
+    f.azimuth_deg = azimuth(is_vertical || cosine > 0 ? level : -level);
+    return f;
   }
 
 private:
@@ -139,125 +137,76 @@ inline Rectangle_sides smallest_rectangle(const std::vector<Flat_point>& points)
 
 // --- The points of a shape against its plane, and against the plane that fits them best
 
-// Lengths are in the unit.
-class Shape_measures {
-public:
-  Shape_measures(const std::vector<Position>& points, const outlines::Shapes& shapes, const outlines::Unit& unit,
-                 std::size_t s)
-    : plane(unit.in(shapes.coefficients(s))), frame(shapes, s, unit.in(points[shapes.points(s)[0]]))
-  {
-    members.reserve(shapes.points(s).size());
-    for(std::uint32_t i : shapes.points(s))
-      members.push_back(unit.in(points[i]));
-    measure();
-  }
-
-  Vector normal() const { return {plane[0], plane[1], plane[2]}; }
-  Vector centroid() const { return vector(members[0]) + scatter.centroid; }
-
-  // Of the points to the plane.
-  double mean_distance() const { return sum / scatter.count; }
-  double rms_distance() const { return std::sqrt(squares / scatter.count); }
-
-  // Of the centroid, through which the least-squares plane passes.
-  double shifted() const { return std::fabs(height(centroid())); }
-
-  // The angle with the least-squares plane. There are many where the two smallest eigenvalues are equal, as of points on
-  // a line: the plane is as close to the closest of them.
-  double turned_deg() const
-  {
-    const Eigen_system e = eigen_system(scatter.matrix);
-    const double rounding =
-      e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + scatter.count * coordinate_rounding2;
-    Vector outside = {0, 0, 0};
-    for(int i = 1; i < 3; ++i)
-      if(e.value[i] > rounding)
-        outside = add_scaled(outside, dot(normal(), e.vector[i]), e.vector[i]);
-    return degrees(std::asin((std::min)(length(outside), 1.)));
-  }
-
-  Rectangle_sides rectangle() const
-  {
-    std::vector<Flat_point> flat;
-    flat.reserve(members.size());
-    for(const outlines::Kernel::Point_3& p : members)
-      flat.push_back(frame.flat(p));
-    return smallest_rectangle(flat);
-  }
-
-  // The smallest and the largest height of a point above the level through the origin.
-  std::array<double, 2> heights(const Level_frame& level) const
-  {
-    std::array<double, 2> range = {level.height(vector(members[0])), level.height(vector(members[0]))};
-    for(const outlines::Kernel::Point_3& p : members) {
-      range[0] = (std::min)(range[0], level.height(vector(p)));
-      range[1] = (std::max)(range[1], level.height(vector(p)));
-    }
-    return range;
-  }
-
-private:
-  static constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
-
-  static Vector vector(const outlines::Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
-
-  double height(const Vector& p) const
-  {
-    return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
-  }
-
-  // The moments are those about the first point, as coordinates may be large.
-  void measure()
-  {
-    const Vector origin = vector(members[0]);
-    scatter = {double(members.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
-    for(const outlines::Kernel::Point_3& p : members) {
-      scatter.centroid = scatter.centroid + (vector(p) - origin);
-      const double h = height(vector(p));
-      sum += std::fabs(h);
-      squares = std::fma(h, h, squares);
-    }
-    scatter.centroid = (1 / scatter.count) * scatter.centroid;
-    for(const outlines::Kernel::Point_3& p : members) {
-      const Vector v = vector(p) - origin - scatter.centroid;
-      scatter.matrix =
-        scatter.matrix + Symmetric_matrix{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
-    }
-  }
-
-  outlines::Shapes::Coefficients plane;
-  outlines::Plane_frame frame;
-  std::vector<outlines::Kernel::Point_3> members;
-  Scatter scatter;
-  double sum = 0, squares = 0; // of distances
-};
-
-// The normal points to the outward side.
-inline Shape_facts facts_of_plane(const Vector& normal, const Level_frame& level)
+// About the first point, as coordinates may be large.
+inline Scatter scatter_of(const std::vector<Vector>& points)
 {
-  Shape_facts f;
-  const Slope slope = level.slope(normal);
-  f.tilt_deg = slope.tilt;
-  f.dip_deg = slope.dip;
-  f.azimuth_deg = slope.azimuth;
-  return f;
+  Scatter s = {double(points.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+  for(const Vector& p : points)
+    s.centroid = s.centroid + (p - points[0]);
+  s.centroid = (1 / s.count) * s.centroid;
+  for(const Vector& p : points) {
+    const Vector v = p - points[0] - s.centroid;
+    s.matrix = s.matrix + Symmetric_matrix{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+  }
+  return s;
 }
 
-inline void add_facts_of_points(const Shape_measures& measures, const outlines::Unit& unit, const Level_frame& level,
-                                Shape_facts& f)
+// The angle between a plane of this normal and the least-squares plane. There are many where the two smallest eigenvalues
+// are equal, as of points on a line: the plane is as close to the closest of them.
+inline double turned_deg(const Vector& normal, const Scatter& s)
 {
-  const Vector centroid = measures.centroid();
+  constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
+  const Eigen_system e = eigen_system(s.matrix);
+  const double rounding =
+    e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + s.count * coordinate_rounding2;
+  Vector outside = {0, 0, 0};
+  for(int i = 1; i < 3; ++i)
+    if(e.value[i] > rounding)
+      outside = add_scaled(outside, dot(normal, e.vector[i]), e.vector[i]);
+  return degrees(std::asin((std::min)(length(outside), 1.)));
+}
+
+inline Shape_facts facts_of_shape(const std::vector<Position>& points, const outlines::Shapes& shapes,
+                                  const outlines::Unit& unit, const Level_frame& level, std::size_t s)
+{
+  const Coefficients plane = unit.in(shapes.coefficients(s));
+  const Vector normal = {plane[0], plane[1], plane[2]};
+  Shape_facts f = level.facts_of_plane(shapes.is_flipped(s) ? -normal : normal);
+  f.number_of_points = shapes.size(s);
+  if(f.number_of_points == 0)
+    return f; // of a known plane
+  const outlines::Plane_frame frame(shapes, s, unit.in(points[shapes.points(s)[0]]));
+  const auto height = [&](const Vector& p) {
+    return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
+  };
+  std::vector<Vector> members;
+  std::vector<Flat_point> flat;
+  double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+  members.reserve(shapes.points(s).size());
+  flat.reserve(shapes.points(s).size());
+  for(std::uint32_t i : shapes.points(s)) {
+    const outlines::Kernel::Point_3 p = unit.in(points[i]);
+    members.push_back({p.x(), p.y(), p.z()});
+    flat.push_back(frame.flat(p));
+    const double distance = height(members.back());
+    sum += std::fabs(distance);
+    squares = std::fma(distance, distance, squares);
+    lowest = (std::min)(lowest, level.height(members.back()));
+    highest = (std::max)(highest, level.height(members.back()));
+  }
+  const Scatter scatter = scatter_of(members);
+  const Vector centroid = members[0] + scatter.centroid;
   f.centroid = unit.out(Position{centroid.x, centroid.y, centroid.z});
-  const Rectangle_sides sides = measures.rectangle();
+  const Rectangle_sides sides = smallest_rectangle(flat);
   f.length = unit.out(sides.length);
   f.width = unit.out(sides.width);
-  const std::array<double, 2> heights = measures.heights(level);
-  f.lowest = unit.out(heights[0]);
-  f.highest = unit.out(heights[1]);
-  f.rms_distance = unit.out(measures.rms_distance());
-  f.mean_distance = unit.out(measures.mean_distance());
-  f.turned_deg = measures.turned_deg();
-  f.shifted = unit.out(measures.shifted());
+  f.lowest = unit.out(lowest);
+  f.highest = unit.out(highest);
+  f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
+  f.mean_distance = unit.out(sum / scatter.count);
+  f.turned_deg = turned_deg(normal, scatter);
+  f.shifted = unit.out(std::fabs(height(centroid)));
+  return f;
 }
 
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
@@ -267,14 +216,7 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
   const outlines::Unit unit(points, shapes);
   const Level_frame level(up);
   std::vector<Shape_facts> facts(shapes.number_of_shapes());
-  for_each_in_parallel(facts.size(), [&](std::size_t s) {
-    const Coefficients& c = shapes.coefficients(s);
-    const Vector normal = {c[0], c[1], c[2]};
-    facts[s] = facts_of_plane(shapes.is_flipped(s) ? -normal : normal, level);
-    facts[s].number_of_points = shapes.size(s);
-    if(shapes.size(s) > 0) // not of a known plane
-      add_facts_of_points(Shape_measures(points, shapes, unit, s), unit, level, facts[s]);
-  });
+  for_each_in_parallel(facts.size(), [&](std::size_t s) { facts[s] = facts_of_shape(points, shapes, unit, level, s); });
   return facts;
 }
 

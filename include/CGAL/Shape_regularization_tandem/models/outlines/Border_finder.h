@@ -223,9 +223,8 @@ public:
 
   Kernel::Point_3 on_line(const Border_line& line, double along) const
   {
-    const Position p = point_on_planes({planes[std::size_t(line.planes[0])], planes[std::size_t(line.planes[1])]},
-                                       line.origin + along * line.direction);
-    return Kernel::Point_3(p[0], p[1], p[2]);
+    return point_at(point_on_planes({planes[std::size_t(line.planes[0])], planes[std::size_t(line.planes[1])]},
+                                    line.origin + along * line.direction));
   }
 
 private:
@@ -271,8 +270,8 @@ private:
     const Kernel::Vector_3 direction =
       CGAL::cross_product(Kernel::Vector_3(a[0], a[1], a[2]), Kernel::Vector_3(b[0], b[1], b[2]));
     const double sine = std::sqrt(direction.squared_length());
-    const Position p = point_on_planes({a, b}, all[shape_of_plane[std::size_t(low)]].points[0]);
-    return {{low, high}, Kernel::Point_3(p[0], p[1], p[2]), direction / sine, sine};
+    const Kernel::Point_3& near_point = all[shape_of_plane[std::size_t(low)]].points[0];
+    return {{low, high}, point_at(point_on_planes({a, b}, near_point)), direction / sine, sine};
   }
 
   // Of the points in a box, and somewhat around it. Sorted along the line. `across` is positive to the left of the line.
@@ -437,9 +436,8 @@ private:
   {
     std::size_t groups[3] = {std::size_t(shapes.coplanar_group(s)), std::size_t(plane), std::size_t(other)};
     std::sort(groups, groups + 3);
-    const Position p = point_on_planes({planes[groups[0]], planes[groups[1]], planes[groups[2]]},
-                                       all[shape_of_plane[groups[0]]].points[0]);
-    return Kernel::Point_3(p[0], p[1], p[2]);
+    return point_at(point_on_planes({planes[groups[0]], planes[groups[1]], planes[groups[2]]},
+                                    all[shape_of_plane[groups[0]]].points[0]));
   }
 
   const Shapes& shapes;

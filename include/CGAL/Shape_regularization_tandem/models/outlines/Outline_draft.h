@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_DRAFT_H
 
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/faces.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/outline_types.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -40,11 +39,7 @@ using Base =
 using Triangulation = CGAL::Constrained_triangulation_plus_2<Base>;
 using Face_handle = Triangulation::Face_handle;
 using Vertex_handle = Triangulation::Vertex_handle;
-struct Ranked_vertex {
-  const Outline_vertex* vertex;
-  std::size_t rank; // in the order of the lines
-};
-using Vertex_map = std::map<Kernel::Point_2, Ranked_vertex>;
+using Vertex_map = std::map<Kernel::Point_2, const Outline_vertex*>;
 
 constexpr int outside = 0, unknown = -1; // others are components of the inside, from 1
 
@@ -57,7 +52,7 @@ struct Relative_cost {
   template <class Constraints, class Iterator>
   double operator()(const Constraints&, Iterator q) const
   {
-    const auto point = [&](const Kernel::Point_2& written) { return vertex_at.at(written).vertex->point; };
+    const auto point = [&](const Kernel::Point_2& written) { return vertex_at.at(written)->point; };
     Iterator before = q, after = q;
     --before;
     ++after;
@@ -66,8 +61,8 @@ struct Relative_cost {
     typename Constraints::Points_in_constraint_iterator p(before), end(after);
     for(++p; p != end; ++p)
       cost = (std::max)(cost, CGAL::squared_distance(straight, point(*p)));
-    const Ranked_vertex& at_q = vertex_at.at((*q)->point());
-    const double spacing = at_q.vertex->spacing;
+    const Outline_vertex& at_q = *vertex_at.at((*q)->point());
+    const double spacing = at_q.spacing;
     return cost / (spacing * spacing) + 1e-9 * double(at_q.rank) / double(vertex_at.size());
   }
 };
@@ -77,8 +72,7 @@ inline bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& 
   for(const Outline_loop& loop : loops) {
     std::vector<Kernel::Point_2> points;
     for(const Outline_vertex& v : loop) {
-      if(!std::isfinite(v.written.x()) || !std::isfinite(v.written.y()) ||
-         !vertex_at.emplace(v.written, Ranked_vertex{&v, vertex_at.size()}).second)
+      if(!std::isfinite(v.written.x()) || !std::isfinite(v.written.y()) || !vertex_at.emplace(v.written, &v).second)
         return false;
       points.push_back(v.written);
     }
@@ -90,8 +84,7 @@ inline bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& 
     const auto found = vertex_at.find(v->point());
     if(found == vertex_at.end())
       return false; // two lines cross
-    const Outline_vertex& vertex = *found->second.vertex;
-    if(vertex.stays())
+    if(found->second->stays())
       v->set_removable(false);
   }
   return true;
@@ -164,7 +157,7 @@ inline void extract_polygons(const Triangulation& triangulation, const Vertex_ma
   const auto number_of = [&](Vertex_handle v) {
     const auto added = number.emplace(v, std::uint32_t(vertices.size()));
     if(added.second)
-      vertices.push_back(*vertex_at.at(v->point()).vertex);
+      vertices.push_back(*vertex_at.at(v->point()));
     return added.first->second;
   };
   const auto polygon_of = [&](Face_handle f) -> Polygon& {
@@ -250,14 +243,18 @@ public:
     return dense_[i];
   }
 
-  // Replaces loops by those of `other` that are not empty, and leaves those out that would not be simple or apart.
-  void replace(std::vector<Outline_loop> loops, const std::vector<Outline_loop>& other)
+  // Each loop becomes changed(loop) where that is not empty, but for those that would not be simple or apart then.
+  template <class Changed>
+  void change(Changed changed)
   {
-    std::vector<std::size_t> changed;
-    for(std::size_t i = 0; i < other.size(); ++i)
-      if(!other[i].empty())
-        changed.push_back(i);
-    replace(loops, other, changed.begin(), changed.end());
+    std::vector<Outline_loop> all = loops(), other;
+    std::vector<std::size_t> positions;
+    for(const Outline_loop& loop : all) {
+      other.push_back(changed(loop));
+      if(!other.back().empty())
+        positions.push_back(other.size() - 1);
+    }
+    replace(all, other, positions.begin(), positions.end());
   }
 
   const std::vector<Outline_vertex>& vertices() const { return vertices_; }

@@ -8,7 +8,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TRIANGULATION_H
 
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/faces.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/outline_types.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -33,49 +32,39 @@ namespace outlines {
 
 // No two places are closer to each other than the distance, and each point is closer than that to its place, the first
 // one of these.
-class Distinct_places {
-public:
+struct Distinct_places {
+  static constexpr double shortest = 0x1p-50;
+
+  std::vector<Kernel::Point_2> places;
+  std::vector<std::size_t> place_of; // of each point
+
   // Coordinates are up to 1, and the distance is at least `shortest`.
-  Distinct_places(const std::vector<Kernel::Point_2>& points, double distance) : distance(distance)
+  Distinct_places(const std::vector<Kernel::Point_2>& points, double distance)
   {
+    const auto column = [&](double x) { return std::int64_t(std::floor(x / distance)); };
+    const auto key = [](std::int64_t i, std::int64_t j) { // squares that have the same one are looked at together
+      return std::uint64_t(i) * 0x9e3779b97f4a7c15u ^ std::uint64_t(j) * 0xc2b2ae3d27d4eb4fu;
+    };
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> places_of_square;
-    place_of_.reserve(points.size());
+    place_of.reserve(points.size());
     for(const Kernel::Point_2& p : points) {
-      std::size_t place = places_.size();
+      std::size_t place = places.size();
       for(std::int64_t i = -1; i <= 1; ++i)
         for(std::int64_t j = -1; j <= 1; ++j) {
           const auto square = places_of_square.find(key(column(p.x()) + i, column(p.y()) + j));
           if(square == places_of_square.end())
             continue;
           for(std::size_t other : square->second)
-            if(other < place && CGAL::squared_distance(places_[other], p) < distance * distance)
+            if(other < place && CGAL::squared_distance(places[other], p) < distance * distance)
               place = other;
         }
-      place_of_.push_back(place);
-      if(place < places_.size())
+      place_of.push_back(place);
+      if(place < places.size())
         continue;
-      places_.push_back(p);
+      places.push_back(p);
       places_of_square[key(column(p.x()), column(p.y()))].push_back(place);
     }
   }
-
-  static constexpr double shortest = 0x1p-50;
-
-  const std::vector<Kernel::Point_2>& places() const { return places_; }
-  std::size_t place_of(std::size_t point) const { return place_of_[point]; }
-
-private:
-  std::int64_t column(double x) const { return std::int64_t(std::floor(x / distance)); }
-
-  // Squares that have the same one are looked at together.
-  static std::uint64_t key(std::int64_t i, std::int64_t j)
-  {
-    return std::uint64_t(i) * 0x9e3779b97f4a7c15u ^ std::uint64_t(j) * 0xc2b2ae3d27d4eb4fu;
-  }
-
-  double distance;
-  std::vector<Kernel::Point_2> places_;
-  std::vector<std::size_t> place_of_; // of each point
 };
 
 class Outline_triangulation {
@@ -244,16 +233,16 @@ private:
     const double smallest = (std::max)(double(median(sorted)), Distinct_places::shortest);
     std::vector<Place> before(points.size());
     for(double distance = 2 * resolution; distance >= smallest; distance /= 2) {
-      const Distinct_places places(points, distance);
-      if(places.places().size() < fewest_places)
+      const Distinct_places distinct(points, distance);
+      if(distinct.places.size() < fewest_places)
         continue;
-      Outline_triangulation coarse(places.places());
+      Outline_triangulation coarse(distinct.places);
       const std::vector<float> spacing = coarse.spacings(), second = coarse.second_distances();
       for(std::size_t i = 0; i < points.size(); ++i) {
         Place& place = before[i];
         if(place.is_known)
           continue;
-        const std::size_t next = places.place_of(i);
+        const std::size_t next = distinct.place_of[i];
         place.is_known = place.second > 0 && second[next] * std::sqrt(2.f) > place.second;
         if(!place.is_known)
           place = {spacing[next], second[next], false};
@@ -399,17 +388,15 @@ private:
     }
   }
 
-  bool share_border(Vertex_handle u, Vertex_handle v, int* border) const
+  // A straight border that both are on, -1 if there is none.
+  int common_border(Vertex_handle u, Vertex_handle v) const
   {
     if(u->info().border < 0 || v->info().border < 0)
-      return false;
+      return -1;
     const auto& of_u = border_vertices[std::size_t(u->info().border)].borders;
     const auto& of_v = border_vertices[std::size_t(v->info().border)].borders;
     const auto common = std::find_first_of(of_u.begin(), of_u.end(), of_v.begin(), of_v.end());
-    if(common == of_u.end())
-      return false;
-    *border = *common;
-    return true;
+    return common == of_u.end() ? -1 : *common;
   }
 
   // Of a straight border, only the ends remain.
@@ -419,14 +406,12 @@ private:
     const std::size_t n = loop.size();
     for(std::size_t i = 0; i < n; ++i) {
       const Vertex_handle v = loop[i];
-      int before = -1, after = -1;
-      const bool is_after = share_border(loop[(i + n - 1) % n], v, &before);
-      const bool is_before = share_border(v, loop[(i + 1) % n], &after);
-      if(is_after && is_before && before == after)
+      const int before = common_border(loop[(i + n - 1) % n], v), after = common_border(v, loop[(i + 1) % n]);
+      if(before >= 0 && before == after)
         continue;
-      const bool is_fixed = is_after || is_before;
+      const bool is_fixed = before >= 0 || after >= 0;
       result.push_back({v->point(), v->info().spacing, is_fixed, {}, v->point()});
-      result.back().border = is_before ? after : -1;
+      result.back().border = after;
       if(is_fixed) {
         const Border_vertex& vertex = border_vertices[std::size_t(v->info().border)];
         result.back().position = vertex.position;

@@ -25,20 +25,11 @@ namespace outlines {
 
 class Plane_directions {
 public:
-  explicit Plane_directions(const Shapes& shapes) : shapes(shapes)
+  explicit Plane_directions(const Shapes& shapes)
+    : shapes(shapes), representative(representatives(shapes.data().parallel_group)), sizes(representative.size())
   {
-    std::vector<std::size_t> first(shapes.number_of_parallel_groups(), shapes.number_of_shapes());
-    sizes.resize(first.size());
-    for(std::size_t s = shapes.number_of_shapes(); s-- > 0;) {
-      const std::size_t group = shapes.parallel_group(s);
-      if(group >= first.size()) {
-        first.resize(group + 1, shapes.number_of_shapes());
-        sizes.resize(group + 1);
-      }
-      first[group] = s;
-      sizes[group] += double(shapes.points(s).size());
-    }
-    representative = first;
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+      sizes[shapes.parallel_group(s)] += double(shapes.points(s).size());
   }
 
   // Unit vectors in the frame, each with the one orthogonal to it behind it: of the groups with most points, where those
@@ -47,9 +38,9 @@ public:
   {
     std::vector<std::pair<double, Kernel::Vector_2>> found;
     for(std::size_t g = 0; g < representative.size(); ++g) {
-      if(g == shapes.parallel_group(s) || representative[g] == shapes.number_of_shapes())
+      if(g == shapes.parallel_group(s))
         continue;
-      const std::size_t t = representative[g];
+      const std::size_t t = std::size_t(representative[g]);
       const Kernel::Vector_3 cross = CGAL::cross_product(normal_of(s), normal_of(t));
       const double sine = std::sqrt(cross.squared_length());
       if(sine >= smallest_sine)
@@ -84,8 +75,8 @@ private:
   }
 
   const Shapes& shapes;
-  std::vector<std::size_t> representative; // a shape of each parallel group
-  std::vector<double> sizes;               // points of each parallel group
+  std::vector<int> representative; // a shape of each parallel group
+  std::vector<double> sizes;       // points of each parallel group
 };
 
 // --- Directions for shapes to which no other plane gives one, as flat roofs and the ground are: those of their own edges

@@ -34,6 +34,8 @@ Number median(std::vector<Number>& all)
   return *middle;
 }
 
+inline Kernel::Point_3 point_at(const Position& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+
 // Coordinates in the plane of a shape, with the lengths and angles in space. They decide what is connected how; vertices
 // are computed in space.
 class Plane_frame {
@@ -42,7 +44,7 @@ public:
   {
     const Shapes::Coefficients& c = shapes.coefficients(s);
     const Kernel::Vector_3 normal(c[0], c[1], c[2]);
-    const std::size_t steepest = Projection(c).steepest_axis();
+    const std::size_t steepest = steepest_axis(c);
     const Kernel::Vector_3 across =
       CGAL::cross_product(Kernel::Vector_3(steepest == 1, steepest == 2, steepest == 0), normal);
     first = across / std::sqrt(across.squared_length());
@@ -137,19 +139,16 @@ inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes,
   std::array<long double, 3> x = {p.x(), p.y(), p.z()};
   for(std::size_t i = 0; i < planes.size() && i < rows.size(); ++i)
     rows[i] = {planes[i][0], planes[i][1], planes[i][2], planes[i][3]};
-  const auto fix = [&](std::size_t row, int axis) { // the coordinate stays what it is, rounded
+  const auto fix = [&](std::size_t row, std::size_t axis) { // the coordinate stays what it is, rounded
     rows[row] = {0, 0, 0, -static_cast<long double>(double(x[axis]))};
-    rows[row][std::size_t(axis)] = 1;
+    rows[row][axis] = 1;
   };
   if(planes.size() == 1) {
     const Plane_row r = rows[0];
     const long double height = r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + r[3];
-    int steepest = 0;
-    for(int k = 0; k < 3; ++k) {
+    for(std::size_t k = 0; k < 3; ++k)
       x[k] -= height * r[k];
-      if(std::fabs(r[k]) > std::fabs(r[steepest]))
-        steepest = k;
-    }
+    const std::size_t steepest = steepest_axis(r);
     fix(1, (steepest + 1) % 3);
     fix(2, (steepest + 2) % 3);
   } else if(planes.size() == 2) {
@@ -159,11 +158,7 @@ inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes,
     line[3] = -(line[0] * x[0] + line[1] * x[1] + line[2] * x[2]);
     rows[2] = line;
     x = common_point(rows, x);
-    int steepest = 0;
-    for(int k = 1; k < 3; ++k)
-      if(std::fabs(line[k]) > std::fabs(line[steepest]))
-        steepest = k;
-    fix(2, steepest);
+    fix(2, steepest_axis(line));
   }
   x = common_point(rows, x);
   return {double(x[0]), double(x[1]), double(x[2])};

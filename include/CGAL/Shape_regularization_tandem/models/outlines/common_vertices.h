@@ -31,89 +31,78 @@ struct Piece_end {
   Border_piece::End& end() const { return piece->ends[side]; }
 };
 
+inline void move(const Piece_end& e, double along, int third)
+{
+  const Border_piece::End before = e.end();
+  e.end().along = along;
+  e.end().third = third;
+  if(!(e.piece->length() > e.piece->spacing))
+    e.end() = before;
+}
+
+// The third plane of an end is neither of its own two: it can be that of another shape's end.
+inline void move_to_corner(const Piece_end& e, const std::vector<Piece_end>& ends)
+{
+  const Piece_end* nearest = nullptr;
+  const auto distance = [&](const Piece_end& other) { return std::fabs(other.end().along - e.end().along); };
+  for(const Piece_end& other : ends)
+    if(other.end().third >= 0 && other.shape != e.shape && (nearest == nullptr || distance(other) < distance(*nearest)))
+      nearest = &other;
+  if(nearest != nullptr && distance(*nearest) <= e.piece->reach)
+    move(e, nearest->end().along, nearest->end().third);
+}
+
+inline bool belongs(const Piece_end& e, const std::vector<Piece_end>& cluster)
+{
+  const auto is_own = [&](const Piece_end& other) { return other.shape == e.shape; };
+  const double span = e.end().along - cluster.front().end().along;
+  return span <= (std::min)(e.piece->reach, cluster.front().piece->reach) &&
+         std::none_of(cluster.begin(), cluster.end(), is_own);
+}
+
+inline void move_to_mean(std::vector<Piece_end>& cluster)
+{
+  double sum = 0;
+  for(const Piece_end& e : cluster)
+    sum += e.end().along;
+  const double mean = sum / double(cluster.size());
+  if(cluster.size() > 1)
+    for(const Piece_end& e : cluster)
+      move(e, mean, -1);
+  cluster.clear();
+}
+
 // The ends of a line to one side, in its direction. Ends at corners stay. Others that are close to one move there, and
 // the rest become the mean of those that are close to each other. An end moves by at most the reach of its piece.
-class Common_ends {
-public:
-  explicit Common_ends(std::vector<Piece_end> ends) : ends(std::move(ends))
-  {
-    std::stable_sort(this->ends.begin(), this->ends.end(),
-                     [](const Piece_end& a, const Piece_end& b) { return a.end().along < b.end().along; });
+inline void join_ends(std::vector<Piece_end>& ends)
+{
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const Piece_end& a, const Piece_end& b) { return a.end().along < b.end().along; });
+  for(const Piece_end& e : ends)
+    if(e.end().third < 0)
+      move_to_corner(e, ends);
+  std::vector<Piece_end> cluster;
+  for(const Piece_end& e : ends) {
+    if(e.end().third >= 0)
+      continue;
+    if(!cluster.empty() && !belongs(e, cluster))
+      move_to_mean(cluster);
+    cluster.push_back(e);
   }
-
-  void join()
-  {
-    for(const Piece_end& e : ends)
-      if(e.end().third < 0)
-        move_to_corner(e);
-    std::vector<Piece_end> cluster;
-    for(const Piece_end& e : ends) {
-      if(e.end().third >= 0)
-        continue;
-      if(!cluster.empty() && !belongs(e, cluster))
-        move_to_mean(cluster);
-      cluster.push_back(e);
-    }
-    move_to_mean(cluster);
-  }
-
-private:
-  static void move(const Piece_end& e, double along, int third)
-  {
-    const Border_piece::End before = e.end();
-    e.end().along = along;
-    e.end().third = third;
-    if(!(e.piece->length() > e.piece->spacing))
-      e.end() = before;
-  }
-
-  // The third plane of an end is neither of its own two: it can be that of another shape's end.
-  void move_to_corner(const Piece_end& e) const
-  {
-    const Piece_end* nearest = nullptr;
-    const auto distance = [&](const Piece_end& other) { return std::fabs(other.end().along - e.end().along); };
-    for(const Piece_end& other : ends)
-      if(other.end().third >= 0 && other.shape != e.shape &&
-         (nearest == nullptr || distance(other) < distance(*nearest)))
-        nearest = &other;
-    if(nearest != nullptr && distance(*nearest) <= e.piece->reach)
-      move(e, nearest->end().along, nearest->end().third);
-  }
-
-  static bool belongs(const Piece_end& e, const std::vector<Piece_end>& cluster)
-  {
-    const auto is_own = [&](const Piece_end& other) { return other.shape == e.shape; };
-    const double span = e.end().along - cluster.front().end().along;
-    return span <= (std::min)(e.piece->reach, cluster.front().piece->reach) &&
-           std::none_of(cluster.begin(), cluster.end(), is_own);
-  }
-
-  static void move_to_mean(std::vector<Piece_end>& cluster)
-  {
-    double sum = 0;
-    for(const Piece_end& e : cluster)
-      sum += e.end().along;
-    const double mean = sum / double(cluster.size());
-    if(cluster.size() > 1)
-      for(const Piece_end& e : cluster)
-        move(e, mean, -1);
-    cluster.clear();
-  }
-
-  std::vector<Piece_end> ends;
-};
+  move_to_mean(cluster);
+}
 
 // `all` has the pieces of each shape.
 inline void join_common_ends(std::vector<Border_pieces>& all)
 {
-  std::map<std::pair<int, int>, std::vector<Piece_end>> of_line[2];
+  std::map<std::array<int, 2>, std::vector<Piece_end>> of_line[2];
   for(std::size_t s = 0; s < all.size(); ++s)
     for(Border_piece& piece : all[s])
       for(int side : {0, 1})
-        of_line[side][{piece.line.planes[0], piece.line.planes[1]}].push_back({&piece, s, side});
+        of_line[side][piece.line.planes].push_back({&piece, s, side});
   for(auto& lines : of_line)
     for(auto& [line, ends] : lines)
-      Common_ends(std::move(ends)).join();
+      join_ends(ends);
 }
 
 // --- The ends of straight borders that are no corners move to where the regular edges behind them begin: to the mean of what
@@ -152,7 +141,7 @@ public:
   {
     const Border_line& line = wish.line;
     End& end = ends[wish.position];
-    end.is_corner |= end.count > 0 && (end.line.planes[0] != line.planes[0] || end.line.planes[1] != line.planes[1]);
+    end.is_corner |= end.count > 0 && end.line.planes != line.planes;
     end.line = line;
     end.sum += line.along(wish.wanted);
     ++end.count;
@@ -166,7 +155,7 @@ public:
       if(end.count == 0 || end.is_corner)
         continue;
       const double mean = end.sum / end.count;
-      const double before = end.line.along(Kernel::Point_3(position[0], position[1], position[2]));
+      const double before = end.line.along(point_at(position));
       if(std::fabs(mean - before) < end.shortest_edge / 3)
         moved[position] = position_on(end.line, mean);
     }
@@ -192,15 +181,13 @@ private:
   std::map<Position, Position> moved;
 };
 
-// --- Where the outline of a shape follows a line and another outline along that line begins or ends, it has that vertex, too
-
 // --- Free edges that lie on the line of two planes are edges of that line like straight borders
 
 // Up to the rounding of coordinates.
 inline bool is_on_line(const Outline_vertex& v, const Border_line& line)
 {
   constexpr double rounding = 0x1p-45;
-  const Kernel::Vector_3 d = Kernel::Point_3(v.position[0], v.position[1], v.position[2]) - line.origin;
+  const Kernel::Vector_3 d = point_at(v.position) - line.origin;
   return CGAL::cross_product(d, line.direction).squared_length() <= rounding * rounding;
 }
 
@@ -224,6 +211,8 @@ Outline_loop with_edges_on_lines(const Outline_loop& loop, const std::vector<Bor
   return is_changed ? result : Outline_loop();
 }
 
+// --- Where the outline of a shape follows a line and another outline along that line begins or ends, it has that vertex, too
+
 // The vertices of all outlines on each line of two planes.
 class Common_vertices {
 public:
@@ -234,7 +223,7 @@ public:
         if(loop[i].border >= 0)
           for(const Outline_vertex* v : {&loop[i], &loop[(i + 1) % loop.size()]}) {
             const Border_line& line = draft.lines[std::size_t(loop[i].border)];
-            on_line[key_of(line)].emplace_back(along(line, *v), v->position);
+            on_line[line.planes].emplace_back(along(line, *v), v->position);
           }
   }
 
@@ -266,39 +255,30 @@ public:
     return p;
   }
 
-  // f(position of the loop, the loop with further vertices), where there are any.
-  template <class Make_vertex, class Function>
-  void for_each_longer_loop(const Outline_draft& draft, Make_vertex make_vertex, Function f) const
+  // The loop of a draft with further vertices, make_vertex(the one before, position). Empty if there are none.
+  template <class Make_vertex>
+  Outline_loop longer(const Outline_draft& draft, const Outline_loop& loop, Make_vertex make_vertex) const
   {
-    const std::vector<Outline_loop> loops = draft.loops();
-    for(std::size_t l = 0; l < loops.size(); ++l) {
-      Outline_loop longer;
-      for(std::size_t i = 0; i < loops[l].size(); ++i) {
-        const Outline_vertex& v = loops[l][i];
-        longer.push_back(v);
-        if(v.border >= 0)
-          for(const Position& p : between(draft, v, loops[l][(i + 1) % loops[l].size()])) {
-            longer.push_back(make_vertex(v, p));
-            longer.back().border = v.border;
-          }
-      }
-      if(longer.size() > loops[l].size())
-        f(l, longer);
+    Outline_loop result;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const Outline_vertex& v = loop[i];
+      result.push_back(v);
+      if(v.border >= 0)
+        for(const Position& p : between(draft, v, loop[(i + 1) % loop.size()])) {
+          result.push_back(make_vertex(v, p));
+          result.back().border = v.border;
+        }
     }
+    return result.size() > loop.size() ? result : Outline_loop();
   }
 
 private:
-  using Key = std::pair<int, int>;
   using Vertex = std::pair<double, Position>; // position along the line, and in space
 
   // Vertices that are as close as the rounding of coordinates are one.
   static constexpr double rounding = 0x1p-48;
 
-  static Key key_of(const Border_line& line) { return {line.planes[0], line.planes[1]}; }
-  static double along(const Border_line& line, const Outline_vertex& v)
-  {
-    return line.along(Kernel::Point_3(v.position[0], v.position[1], v.position[2]));
-  }
+  static double along(const Border_line& line, const Outline_vertex& v) { return line.along(point_at(v.position)); }
 
   // In the order of the edge.
   std::vector<Position> between(const Outline_draft& draft, const Outline_vertex& u, const Outline_vertex& v) const
@@ -306,7 +286,7 @@ private:
     const Border_line& line = draft.lines[std::size_t(u.border)];
     const double a = along(line, u), b = along(line, v), low = (std::min)(a, b), high = (std::max)(a, b);
     std::vector<Position> result;
-    const auto& all = on_line.at(key_of(line));
+    const auto& all = on_line.at(line.planes);
     for(auto i = std::upper_bound(all.begin(), all.end(), Vertex(low + rounding, Position{})); i != all.end(); ++i) {
       if(i->first >= high - rounding)
         break;
@@ -317,8 +297,8 @@ private:
     return result;
   }
 
-  std::map<Key, std::vector<Vertex>> on_line;
-  std::map<Position, Position> joined_with; // the smaller one
+  std::map<std::array<int, 2>, std::vector<Vertex>> on_line; // by the planes of the line
+  std::map<Position, Position> joined_with;                  // the smaller one
 };
 
 } // namespace outlines

@@ -21,7 +21,6 @@
 #include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -58,39 +57,6 @@ inline Shape_points points_of_shape(const std::vector<Position>& points, const S
   return result;
 }
 
-// --- One table of vertices for the polygons of all shapes
-
-// Of one shape, with vertices of its own.
-struct Shape_polygons {
-  std::vector<Position> vertices;
-  std::vector<Polygon> polygons;
-  double area = 0;
-};
-
-// Vertices with equal coordinates become one.
-inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
-{
-  Polygon_table result;
-  std::map<Position, std::uint32_t> number_of;
-  for(Shape_polygons& shape : of_shapes) {
-    std::vector<std::uint32_t> numbers;
-    for(const Position& p : shape.vertices) {
-      const auto added = number_of.emplace(p, std::uint32_t(result.points.size()));
-      if(added.second)
-        result.points.push_back(p);
-      numbers.push_back(added.first->second);
-    }
-    for(Polygon& polygon : shape.polygons)
-      for_each_list(polygon, [&](auto& corners) {
-        for(std::uint32_t& corner : corners)
-          corner = numbers[corner];
-      });
-    result.polygons.push_back(std::move(shape.polygons));
-    result.areas.push_back(shape.area);
-  }
-  return result;
-}
-
 class Polygon_maker {
 public:
   Polygon_maker(const std::vector<Position>& points, const Shapes& shapes)
@@ -113,7 +79,7 @@ public:
   }
 
   // Once: the drafts are used up. Outlines that are not regular are straightened only.
-  Polygon_table polygons(bool are_regular = true)
+  Polygon_table polygons(bool are_regular)
   {
     draw_borders();
     is_framed.resize(n);
@@ -122,12 +88,7 @@ public:
       make_regular();
       share_vertices();
     }
-    std::vector<Shape_polygons> of_shapes(n);
-    for_each_in_parallel(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
-    Polygon_table result = joined(of_shapes);
-    for(std::size_t s = 0; s < n; ++s)
-      result.frames.emplace_back(shapes.coefficients(s));
-    return result;
+    return joined_polygons();
   }
 
 private:
@@ -159,10 +120,10 @@ private:
       triangulations[s]->insert(border, all[s].frame);
     for(std::uint32_t i : borders[s].cut)
       triangulations[s]->cut(i);
-    std::vector<Outline_loop> loops = placed(triangulations[s]->outline(limits), s);
+    std::vector<Outline_loop> loops = placed_outline(std::move(*triangulations[s]), s);
     triangulations[s].reset();
     if(draft.make(std::move(loops), limits.tolerance) ||
-       draft.make(placed(Outline_triangulation(all[s].flat, resolution).outline(limits), s), limits.tolerance))
+       draft.make(placed_outline(Outline_triangulation(all[s].flat, resolution), s), limits.tolerance))
       return true;
     const std::vector<Outline_loop> projected = projected_outline(s);
     if(!draft.make(projected, limits.tolerance))
@@ -210,18 +171,15 @@ private:
 
   void make_regular(std::size_t s, const std::vector<Kernel::Vector_2>& along, const Moved_ends& moved)
   {
-    std::vector<Outline_loop> loops = drafts[s].loops(), regular;
-    for(const Outline_loop& loop : loops) {
+    drafts[s].change([&](const Outline_loop& loop) {
       Outline_loop with_moved = loop;
       for(Outline_vertex& v : with_moved)
         if(const Position* p = v.is_fixed ? moved.moved_from(v.position) : nullptr)
           v = fixed_vertex(s, v, *p);
       const Border_points border(with_moved, drafts[s].dense_loop(loop));
-      regular.push_back(rectangle_of_hole(border, along));
-      if(regular.back().empty())
-        regular.back() = Regular_loop(border, along).loop();
-    }
-    drafts[s].replace(std::move(loops), placed(std::move(regular), s));
+      const Outline_loop rectangle = rectangle_of_hole(border, along);
+      return placed(rectangle.empty() ? Regular_loop(border, along).loop() : rectangle, s);
+    });
   }
 
   // Like another one, at a position.
@@ -230,7 +188,7 @@ private:
     Outline_vertex result = like;
     result.is_fixed = true;
     result.position = p;
-    result.point = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
+    result.point = all[s].frame.flat(point_at(p));
     result.written = projections[s].projected(p);
     return result;
   }
@@ -243,14 +201,10 @@ private:
 
   void find_edges_on_lines(std::size_t s)
   {
-    std::vector<Outline_loop> loops = drafts[s].loops(), changed;
-    for(const Outline_loop& loop : loops)
-      changed.push_back(
-        with_edges_on_lines(loop, drafts[s].lines, [&](const Outline_vertex& v, const Border_line& line) {
-          const Position& p = v.position;
-          return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
-        }));
-    drafts[s].replace(std::move(loops), changed);
+    const auto on_line = [&](const Outline_vertex& v, const Border_line& line) {
+      return fixed_vertex(s, v, position_on(line, point_at(v.position)));
+    };
+    drafts[s].change([&](const Outline_loop& loop) { return with_edges_on_lines(loop, drafts[s].lines, on_line); });
   }
 
   void collect(Common_vertices& vertices) const
@@ -262,17 +216,15 @@ private:
 
   void join_vertices(std::size_t s, const Common_vertices& apart)
   {
-    std::vector<Outline_loop> loops = drafts[s].loops(), changed(loops.size());
-    for(std::size_t l = 0; l < loops.size(); ++l)
-      for(std::size_t i = 0; i < loops[l].size(); ++i) {
-        const Position p = apart.joined(loops[l][i].position);
-        if(p == loops[l][i].position)
-          continue;
-        if(changed[l].empty())
-          changed[l] = loops[l];
-        changed[l][i] = fixed_vertex(s, loops[l][i], p);
-      }
-    drafts[s].replace(std::move(loops), changed);
+    drafts[s].change([&](Outline_loop loop) {
+      bool has_changed = false;
+      for(Outline_vertex& v : loop)
+        if(const Position p = apart.joined(v.position); p != v.position) {
+          v = fixed_vertex(s, v, p);
+          has_changed = true;
+        }
+      return has_changed ? loop : Outline_loop();
+    });
   }
 
   void share_vertices()
@@ -285,39 +237,58 @@ private:
     collect(common);
     for_each_in_parallel(n, [&](std::size_t s) {
       const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
-      std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
-      common.for_each_longer_loop(drafts[s], vertex,
-                                  [&](std::size_t i, const Outline_loop& loop) { longer[i] = loop; });
-      drafts[s].replace(std::move(loops), longer);
+      drafts[s].change([&](const Outline_loop& loop) { return common.longer(drafts[s], loop, vertex); });
     });
   }
 
-  Shape_polygons polygons_of(std::size_t s)
+  // In one table of vertices: those with equal coordinates become one.
+  Polygon_table joined_polygons()
   {
-    Shape_polygons result;
-    const std::vector<Outline_vertex>& vertices = drafts[s].vertices();
-    for(const Outline_vertex& v : vertices)
-      result.vertices.push_back(unit.out(v.position));
-    double area = 0;
-    for(const Polygon& polygon : drafts[s].polygons())
-      for(const auto& t : polygon.triangles)
-        area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
-    result.area = unit.area_out(area / projections[s].shrinkage());
-    result.polygons = std::move(drafts[s].polygons());
+    Polygon_table result;
+    std::map<Position, std::uint32_t> number_of;
+    for(std::size_t s = 0; s < n; ++s) {
+      const std::vector<Outline_vertex>& vertices = drafts[s].vertices();
+      std::vector<std::uint32_t> numbers;
+      for(const Outline_vertex& v : vertices) {
+        const auto added = number_of.emplace(unit.out(v.position), std::uint32_t(result.points.size()));
+        if(added.second)
+          result.points.push_back(added.first->first);
+        numbers.push_back(added.first->second);
+      }
+      double area = 0;
+      for(Polygon& polygon : drafts[s].polygons()) {
+        for(const auto& t : polygon.triangles)
+          area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
+        for_each_list(polygon, [&](auto& corners) {
+          for(std::uint32_t& corner : corners)
+            corner = numbers[corner];
+        });
+      }
+      result.areas.push_back(unit.area_out(area / projections[s].shrinkage()));
+      result.polygons.push_back(std::move(drafts[s].polygons()));
+      result.frames.emplace_back(shapes.coefficients(s));
+    }
     return result;
   }
 
   const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
 
-  std::vector<Outline_loop> placed(std::vector<Outline_loop> loops, std::size_t s) const
+  Outline_loop placed(Outline_loop loop, std::size_t s) const
   {
+    for(Outline_vertex& v : loop) {
+      if(!v.is_fixed)
+        v.position = point_on_planes({plane_of(s)}, all[s].frame.lifted(v.point));
+      v.position = unit.written(v.position);
+      v.written = projections[s].projected(v.position);
+    }
+    return loop;
+  }
+
+  std::vector<Outline_loop> placed_outline(Outline_triangulation&& triangulation, std::size_t s) const
+  {
+    std::vector<Outline_loop> loops = triangulation.outline(limits);
     for(Outline_loop& loop : loops)
-      for(Outline_vertex& v : loop) {
-        if(!v.is_fixed)
-          v.position = point_on_planes({plane_of(s)}, all[s].frame.lifted(v.point));
-        v.position = unit.written(v.position);
-        v.written = projections[s].projected(v.position);
-      }
+      loop = placed(std::move(loop), s);
     return loops;
   }
 
@@ -352,11 +323,7 @@ private:
 };
 
 // Whether the largest number in the normal is negative.
-inline bool is_turned(const Coefficients& c)
-{
-  const auto is_smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
-  return *std::max_element(c.begin(), c.begin() + 3, is_smaller) < 0;
-}
+inline bool is_turned(const Coefficients& c) { return c[steepest_axis(c)] < 0; }
 
 // The largest number of each normal is positive.
 inline Shapes_data with_positive_normals(Shapes_data data)
@@ -401,19 +368,15 @@ CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position
     }
   if(source.size() == number.size())
     return table_of_outlines(points, data, are_regular);
-  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular), all;
-  all.points = std::move(table.points);
-  all.polygons.resize(number.size());
-  all.areas.assign(number.size(), 0);
-  for(std::size_t s = 0; s < number.size(); ++s) {
-    all.frames.emplace_back(data.coefficients[s]);
-    if(number[s] < 0)
-      continue;
-    all.polygons[s] = std::move(table.polygons[std::size_t(number[s])]);
-    all.areas[s] = table.areas[std::size_t(number[s])];
-    all.frames[s] = table.frames[std::size_t(number[s])];
-  }
-  return all;
+  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular);
+  for(std::size_t s = 0; s < number.size(); ++s)
+    if(number[s] < 0) {
+      const auto place = std::ptrdiff_t(s);
+      table.polygons.emplace(table.polygons.begin() + place);
+      table.areas.insert(table.areas.begin() + place, 0);
+      table.frames.emplace(table.frames.begin() + place, data.coefficients[s]);
+    }
+  return table;
 }
 
 } // namespace outlines

@@ -1,15 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts a box into convex cells by planes. A cut goes through one cell only. Nothing is rounded: a vertex is the point
-// of three planes, with rational coordinates.
+// Cuts a box into convex cells by planes.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 
-#include <CGAL/Shape_regularization_tandem/models/surface/Cells.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
-#include <CGAL/Tandem/Shapes_data.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
@@ -17,14 +14,76 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace surface {
+
+// --- A part of space that is cut into convex cells. A facet has a cell on each side, and an edge has the same ends in all
+// facets around it: a cell may have several facets in one plane, and facets vertices on straight edges.
+
+inline constexpr int none = -1;
+
+struct Facet {
+  std::vector<int> vertices; // counterclockwise, seen from the cell in front
+  int plane;                 // position in the planes; none: a side of the box
+  int behind, front;         // cells; none: beyond the box
+};
+
+struct Cells {
+  std::vector<Point> points; // of the vertices
+  std::vector<Facet> facets;
+  std::vector<std::vector<int>> cells; // facets of each
+
+  const Facet& facet(int f) const { return facets[std::size_t(f)]; }
+  const std::vector<int>& facets_of(int cell) const { return cells[std::size_t(cell)]; }
+
+  std::vector<Point> corners(const Facet& facet) const
+  {
+    std::vector<Point> result;
+    for(int v : facet.vertices)
+      result.push_back(points[std::size_t(v)]);
+    return result;
+  }
+};
+
+// Of a convex polygon that is counterclockwise, seen from its end; twice as long as its area.
+inline Vector normal_of(const std::vector<Point>& corners)
+{
+  Vector sum = CGAL::NULL_VECTOR;
+  for(std::size_t i = 2; i < corners.size(); ++i)
+    sum = sum + CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  return sum;
+}
+
+inline double area_of(const std::vector<Point>& corners) { return std::sqrt(normal_of(corners).squared_length()) / 2; }
+
+inline double extent_of(const CGAL::Bbox_3& box)
+{
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+// The ends of an edge, in any direction.
+using Edge = std::pair<int, int>;
+
+inline Edge edge_of(int u, int v) { return std::minmax(u, v); }
+
+// f(u, v) for the edges of a loop of vertices.
+template <class Function>
+void for_each_edge(const std::vector<int>& loop, Function f)
+{
+  for(std::size_t i = 0; i < loop.size(); ++i)
+    f(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+}
+
+// --- Cuts, each of which goes through one cell only. Nothing is rounded: a vertex is the point of three planes, with
+// rational coordinates.
 
 class Cell_cutter {
 public:
@@ -120,11 +179,9 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t k = 0; k < 4; ++k)
         rows[i][k] = Number(planes_[std::size_t(of_planes[i])][k]);
-    const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) -> Number {
-      const auto minor = [&](std::size_t i, std::size_t j) -> Number {
-        return rows[i][b] * rows[j][c] - rows[i][c] * rows[j][b];
-      };
-      return rows[0][a] * minor(1, 2) - rows[1][a] * minor(0, 2) + rows[2][a] * minor(0, 1);
+    const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) {
+      return CGAL::determinant(rows[0][a], rows[0][b], rows[0][c], rows[1][a], rows[1][b], rows[1][c], rows[2][a],
+                               rows[2][b], rows[2][c]);
     };
     const Number d = determinant(0, 1, 2);
     exact_.push_back({-determinant(3, 1, 2) / d, -determinant(0, 3, 2) / d, -determinant(0, 1, 3) / d});

@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_INSIDE_CELLS_H
 
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
-#include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 
@@ -38,88 +38,77 @@ struct Covered_facet {
   Covered_part scanned, assumed;
 };
 
-class Covered_facets {
-public:
-  Covered_facets(const Cells& cells, const std::vector<Plane_coverage>& planes)
-    : cells_(cells), planes_(planes), facets_(cells.facets.size())
-  {
-    std::vector<std::vector<std::size_t>> of_plane(planes.size());
-    for(std::size_t f = 0; f < facets_.size(); ++f) {
-      facets_[f].area = area_of(cells.corners(cells.facets[f]));
-      if(cells.facets[f].plane != none)
-        of_plane[std::size_t(cells.facets[f].plane)].push_back(f);
-    }
-    for_each_in_parallel(planes.size(), [&](std::size_t p) { cover(planes_[p], of_plane[p]); });
-  }
-
-  const Covered_facet& operator[](std::size_t facet) const { return facets_[facet]; }
-
-private:
-  static constexpr std::size_t places_of_assumed = 256; // about so many are tried in a facet
-
-  void cover(const Plane_coverage& plane, const std::vector<std::size_t>& facets)
-  {
-    std::vector<std::vector<Kernel::Point_2>> flat;
-    std::vector<CGAL::Bbox_2> boxes;
-    for(std::size_t f : facets) {
-      flat.emplace_back();
-      for(const Point& corner : cells_.corners(cells_.facets[f]))
-        flat.back().push_back(plane.flat(corner));
-      boxes.push_back(CGAL::bbox_2(flat.back().begin(), flat.back().end()));
-    }
-    for(std::size_t n = 0; n < plane.points().size(); ++n) {
-      const Point& point = plane.points()[n];
-      const Kernel::Point_2 p = plane.flat(point);
-      for(std::size_t i = 0; i < facets.size(); ++i)
-        if(CGAL::do_overlap(boxes[i], p.bbox()) &&
-           CGAL::bounded_side_2(flat[i].begin(), flat[i].end(), p) != CGAL::ON_UNBOUNDED_SIDE) {
-          Covered_facet& facet = facets_[facets[i]];
-          facet.scanned.area += plane.area_of_point(n);
-          facet.scanned.places.push_back(point);
-          break;
-        }
-    }
-    for(std::size_t f : facets) {
-      Covered_facet& facet = facets_[f];
-      facet.scanned.area = (std::min)(facet.scanned.area, facet.area);
-      if(plane.has_assumed_part())
-        add_assumed(plane, f);
+// Of places that are spread evenly over the facet.
+inline void add_assumed(const Plane_coverage& plane, const std::vector<Point>& corners, Covered_facet& facet)
+{
+  constexpr std::size_t places_to_try = 256; // about so many
+  std::vector<double> areas(2, 0.);          // of the triangles that end at each corner
+  for(std::size_t i = 2; i < corners.size(); ++i)
+    areas.push_back(area_of({corners[0], corners[i - 1], corners[i]}));
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
+  if(!(sum > 0))
+    return;
+  std::size_t tried = 0;
+  double left = 0; // of a place, from the triangles before
+  for(std::size_t i = 2; i < corners.size(); ++i) {
+    const Vector u = corners[i - 1] - corners[0], v = corners[i] - corners[0];
+    for(left += areas[i] / sum * double(places_to_try); left >= 1; --left, ++tried) {
+      double a = double(tried) * .7548776662466927, b = double(tried) * .5698402909980532; // a sequence of no pattern
+      a -= std::floor(a);
+      b -= std::floor(b);
+      const Point p = a + b > 1 ? corners[0] + (1 - a) * u + (1 - b) * v : corners[0] + a * u + b * v;
+      if(plane.is_assumed(p))
+        facet.assumed.places.push_back(p);
     }
   }
+  if(tried > 0)
+    facet.assumed.area =
+      (std::min)(facet.area - facet.scanned.area, double(facet.assumed.places.size()) / double(tried) * facet.area);
+}
 
-  // Of places that are spread evenly over the facet.
-  void add_assumed(const Plane_coverage& plane, std::size_t f)
-  {
-    Covered_facet& facet = facets_[f];
-    const std::vector<Point> corners = cells_.corners(cells_.facets[f]);
-    std::vector<double> areas(2, 0.); // of the triangles that end at each corner
-    for(std::size_t i = 2; i < corners.size(); ++i)
-      areas.push_back(area_of({corners[0], corners[i - 1], corners[i]}));
-    const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
-    if(!(sum > 0))
-      return;
-    std::size_t tried = 0;
-    double left = 0; // of a place, from the triangles before
-    for(std::size_t i = 2; i < corners.size(); ++i) {
-      const Vector u = corners[i - 1] - corners[0], v = corners[i] - corners[0];
-      for(left += areas[i] / sum * double(places_of_assumed); left >= 1; --left, ++tried) {
-        double a = double(tried) * .7548776662466927, b = double(tried) * .5698402909980532; // a sequence of no pattern
-        a -= std::floor(a);
-        b -= std::floor(b);
-        const Point p = a + b > 1 ? corners[0] + (1 - a) * u + (1 - b) * v : corners[0] + a * u + b * v;
-        if(plane.is_assumed(p))
-          facet.assumed.places.push_back(p);
+// `of_plane` are the facets in the plane.
+inline void cover(const Cells& cells, const Plane_coverage& plane, const std::vector<std::size_t>& of_plane,
+                  std::vector<Covered_facet>& facets)
+{
+  std::vector<std::vector<Kernel::Point_2>> flat;
+  std::vector<CGAL::Bbox_2> boxes;
+  for(std::size_t f : of_plane) {
+    flat.emplace_back();
+    for(const Point& corner : cells.corners(cells.facets[f]))
+      flat.back().push_back(plane.flat(corner));
+    boxes.push_back(CGAL::bbox_2(flat.back().begin(), flat.back().end()));
+  }
+  for(std::size_t n = 0; n < plane.points().size(); ++n) {
+    const Point& point = plane.points()[n];
+    const Kernel::Point_2 p = plane.flat(point);
+    for(std::size_t i = 0; i < of_plane.size(); ++i)
+      if(CGAL::do_overlap(boxes[i], p.bbox()) &&
+         CGAL::bounded_side_2(flat[i].begin(), flat[i].end(), p) != CGAL::ON_UNBOUNDED_SIDE) {
+        Covered_part& scanned = facets[of_plane[i]].scanned;
+        scanned.area += plane.area_of_point(n);
+        scanned.places.push_back(point);
+        break;
       }
-    }
-    if(tried > 0)
-      facet.assumed.area =
-        (std::min)(facet.area - facet.scanned.area, double(facet.assumed.places.size()) / double(tried) * facet.area);
   }
+  for(std::size_t f : of_plane) {
+    facets[f].scanned.area = (std::min)(facets[f].scanned.area, facets[f].area);
+    if(plane.has_assumed_part())
+      add_assumed(plane, cells.corners(cells.facets[f]), facets[f]);
+  }
+}
 
-  const Cells& cells_;
-  const std::vector<Plane_coverage>& planes_;
-  std::vector<Covered_facet> facets_;
-};
+inline std::vector<Covered_facet> cover_facets(const Cells& cells, const std::vector<Plane_coverage>& planes)
+{
+  std::vector<Covered_facet> facets;
+  std::vector<std::vector<std::size_t>> of_plane(planes.size());
+  for(std::size_t f = 0; f < cells.facets.size(); ++f) {
+    facets.push_back({area_of(cells.corners(cells.facets[f])), {}, {}});
+    if(cells.facets[f].plane != none)
+      of_plane[std::size_t(cells.facets[f].plane)].push_back(f);
+  }
+  for_each_in_parallel(planes.size(), [&](std::size_t p) { cover(cells, planes[p], of_plane[p], facets); });
+  return facets;
+}
 
 // --- What it costs that cells are inside. Most rays that leave a covered facet say which of its two cells is inside: it
 // costs the covered area if that one is not, or the other one is. A boundary that nothing covers costs a part of its
@@ -127,10 +116,14 @@ private:
 
 class Inside_cost {
 public:
+  std::vector<double> inside, outside;       // of each cell that is inside, or is not
+  std::vector<double> boundary;              // of each facet between a cell that is inside and one that is not
+  std::vector<std::size_t> number_of_points; // on each facet
+
   Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
-    : inside_(cells.cells.size(), 0), outside_(cells.cells.size(), 0)
+    : inside(cells.cells.size(), 0), outside(cells.cells.size(), 0)
   {
-    const Covered_facets covered(cells, planes);
+    const std::vector<Covered_facet> covered = cover_facets(cells, planes);
     Ray_votes rays(up);
     rays.add_obstacles(planes);
     std::vector<double> votes(cells.facets.size());
@@ -142,23 +135,15 @@ public:
     for(std::size_t f = 0; f < cells.facets.size(); ++f) {
       const Facet& facet = cells.facets[f];
       const double free = covered[f].area - covered[f].scanned.area - covered[f].assumed.area;
-      boundary_.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
-      number_of_points_.push_back(covered[f].scanned.places.size());
+      boundary.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
+      number_of_points.push_back(covered[f].scanned.places.size());
       if(facet.front == none)
         continue;
       const bool is_behind = votes[f] > 0;
-      outside_[std::size_t(is_behind ? facet.behind : facet.front)] += std::fabs(votes[f]);
-      inside_[std::size_t(is_behind ? facet.front : facet.behind)] += std::fabs(votes[f]);
+      outside[std::size_t(is_behind ? facet.behind : facet.front)] += std::fabs(votes[f]);
+      inside[std::size_t(is_behind ? facet.front : facet.behind)] += std::fabs(votes[f]);
     }
   }
-
-  // Of a cell that is inside, or is not; of a facet between one that is and one that is not.
-  double inside(int cell) const { return inside_[std::size_t(cell)]; }
-  double outside(int cell) const { return outside_[std::size_t(cell)]; }
-  double boundary(int facet) const { return boundary_[std::size_t(facet)]; }
-
-  // That are on a facet.
-  std::size_t number_of_points(int facet) const { return number_of_points_[std::size_t(facet)]; }
 
 private:
   static constexpr double worth_of_free = .1; // of a unit of area without points
@@ -174,10 +159,6 @@ private:
     };
     return of(covered.scanned) + worth_of_free * of(covered.assumed);
   }
-
-  std::vector<double> boundary_;              // of each facet
-  std::vector<std::size_t> number_of_points_; // of each facet
-  std::vector<double> inside_, outside_;      // of each cell
 };
 
 class Inside_cells {
@@ -205,25 +186,21 @@ private:
   void cut()
   {
     enum Label : std::size_t { inside, outside };
-    const std::size_t n = cells_.cells.size();                                // beyond the box is one cell more
-    std::vector<std::vector<double>> costs(2, std::vector<double>(n + 1, 0)); // of each label
+    const std::size_t n = cells_.cells.size();                              // beyond the box is one cell more
+    std::vector<std::vector<double>> costs = {cost_.inside, cost_.outside}; // of each label
     std::vector<std::pair<std::size_t, std::size_t>> sides;
-    std::vector<double> side_costs;
     double sum = 1;
-    for(std::size_t c = 0; c < n; ++c) {
-      costs[inside][c] = cost_.inside(int(c));
-      costs[outside][c] = cost_.outside(int(c));
+    for(std::size_t c = 0; c < n; ++c)
       sum += costs[inside][c] + costs[outside][c];
-    }
     for(std::size_t f = 0; f < cells_.facets.size(); ++f) {
       const Facet& facet = cells_.facets[f];
       sides.emplace_back(std::size_t(facet.behind), facet.front == none ? n : std::size_t(facet.front));
-      side_costs.push_back(cost_.boundary(int(f)));
-      sum += side_costs.back();
+      sum += cost_.boundary[f];
     }
-    costs[inside][n] = sum;
+    costs[inside].push_back(sum);
+    costs[outside].push_back(0);
     std::vector<std::size_t> labels(n + 1, outside);
-    CGAL::alpha_expansion_graphcut(sides, side_costs, costs, labels);
+    CGAL::alpha_expansion_graphcut(sides, cost_.boundary, costs, labels);
     for(std::size_t c = 0; c < n; ++c)
       is_inside_.push_back(labels[c] == inside);
   }
@@ -295,9 +272,10 @@ private:
 
   double cost_of_change(int cell) const
   {
-    double cost = (is_inside(cell) ? 1 : -1) * (cost_.outside(cell) - cost_.inside(cell));
+    const std::size_t c = std::size_t(cell);
+    double cost = (is_inside(cell) ? 1 : -1) * (cost_.outside[c] - cost_.inside[c]);
     for(int f : cells_.facets_of(cell))
-      cost += is_boundary(f) ? -cost_.boundary(f) : cost_.boundary(f);
+      cost += (is_boundary(f) ? -1 : 1) * cost_.boundary[std::size_t(f)];
     return cost;
   }
 

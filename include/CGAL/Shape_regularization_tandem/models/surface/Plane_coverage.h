@@ -6,10 +6,10 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_PLANE_COVERAGE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_PLANE_COVERAGE_H
 
-#include <CGAL/Shape_regularization_tandem/models/surface/Cells.h>
-#include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/Coefficients.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
 
@@ -27,6 +27,16 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace surface {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+
+// Of a point above a plane.
+inline double height(const Coefficients& c, const Point& p)
+{
+  return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
+}
 
 // --- The part of a plane that points cover: the squares of a grid that have points
 

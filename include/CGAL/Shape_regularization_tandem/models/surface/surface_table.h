@@ -9,7 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Point_blocks.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Boundary_faces.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
@@ -81,10 +81,7 @@ private:
   void add_borders(const outlines::Polygon_table& polygons, const Indexed_polygon& polygon, const Coefficients& own,
                    std::vector<Border>& borders) const
   {
-    const auto point = [&](std::uint32_t i) {
-      const auto& p = polygons.points[i];
-      return Point(p[0], p[1], p[2]);
-    };
+    const auto point = [&](std::uint32_t i) { return outlines::point_at(polygons.points[i]); };
     Vector area = CGAL::NULL_VECTOR;
     for(const auto& t : polygon.triangles)
       area = area + CGAL::cross_product(point(t[1]) - point(t[0]), point(t[2]) - point(t[0]));
@@ -185,19 +182,40 @@ private:
 // walls behind them.
 
 // Lengths are in a unit of about the largest coordinate.
-class Surface_input {
-public:
+struct Surface_input {
   static constexpr std::size_t fewest_planes = 4; // that enclose something
+
+  outlines::Unit unit;
+  std::vector<Plane_coverage> planes;
+  std::vector<int> groups; // the coplanar groups of the planes that have points, which come first
+  CGAL::Bbox_3 box;        // of the points, and somewhat around them
 
   // At most `most` planes that have points.
   Surface_input(const std::vector<Position>& points, const outlines::Shapes& shapes, std::size_t most)
-    : unit_(points, shapes)
+    : unit(points, shapes)
   {
-    const double maximum_distance = unit_.in(shapes.parameters().maximum_distance);
-    add_planes(points, shapes, most, maximum_distance);
-    box_ = CGAL::Bbox_3(box_.xmin() - 2 * maximum_distance, box_.ymin() - 2 * maximum_distance,
-                        box_.zmin() - 2 * maximum_distance, box_.xmax() + 2 * maximum_distance,
-                        box_.ymax() + 2 * maximum_distance, box_.zmax() + 2 * maximum_distance);
+    const double maximum_distance = unit.in(shapes.parameters().maximum_distance);
+    const std::vector<std::size_t> shape_of_group = shapes.distinct_planes();
+    std::vector<std::vector<Point>> of_group(shape_of_group.size());
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+      for(std::uint32_t i : shapes.points(s))
+        of_group[shapes.coplanar_group(s)].push_back(unit.in(points[i]));
+    std::vector<std::size_t> order(of_group.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return of_group[a].size() > of_group[b].size(); });
+    for(std::size_t g : order) {
+      if(planes.size() == most || of_group[g].empty())
+        break;
+      Plane_coverage plane(unit.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]), maximum_distance);
+      if(!plane.has_area())
+        continue;
+      for(const Point& p : plane.points())
+        box += p.bbox();
+      planes.push_back(std::move(plane));
+      groups.push_back(int(g));
+    }
+    box = outlines::grown(box, 2 * maximum_distance);
   }
 
   // Below the borders of these outlines of the shapes.
@@ -205,55 +223,18 @@ public:
   {
     for(Position& p : polygons.points)
       for(double& x : p)
-        x = unit_.in(x);
+        x = unit.in(x);
     std::vector<Coefficients> of_shapes;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-      of_shapes.push_back(unit_.in(shapes.coefficients(s)));
-    Border_walls(planes_, up, unit_.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
+      of_shapes.push_back(unit.in(shapes.coefficients(s)));
+    Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
   }
-
-  std::size_t number_of_planes() const { return groups_.size(); } // that have points
-  const std::vector<Plane_coverage>& planes() const { return planes_; }
-  const CGAL::Bbox_3& box() const { return box_; } // of the points, and somewhat around them
 
   // The coplanar group of a plane; none if it has no points, or is a side of the box.
   int group(int plane) const
   {
-    return plane >= 0 && std::size_t(plane) < groups_.size() ? groups_[std::size_t(plane)] : none;
+    return plane >= 0 && std::size_t(plane) < groups.size() ? groups[std::size_t(plane)] : none;
   }
-
-  Position out(const Point& p) const { return unit_.out(Position{p.x(), p.y(), p.z()}); }
-
-private:
-  void add_planes(const std::vector<Position>& points, const outlines::Shapes& shapes, std::size_t most,
-                  double resolution)
-  {
-    const std::vector<std::size_t> shape_of_group = shapes.distinct_planes();
-    std::vector<std::vector<Point>> of_group(shape_of_group.size());
-    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-      for(std::uint32_t i : shapes.points(s))
-        of_group[shapes.coplanar_group(s)].push_back(unit_.in(points[i]));
-    std::vector<std::size_t> order(of_group.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return of_group[a].size() > of_group[b].size(); });
-    for(std::size_t g : order) {
-      if(planes_.size() == most || of_group[g].empty())
-        return;
-      Plane_coverage plane(unit_.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]), resolution);
-      if(!plane.has_area())
-        continue;
-      for(const Point& p : plane.points())
-        box_ += p.bbox();
-      planes_.push_back(std::move(plane));
-      groups_.push_back(int(g));
-    }
-  }
-
-  outlines::Unit unit_;
-  std::vector<Plane_coverage> planes_;
-  std::vector<int> groups_; // of the planes that have points
-  CGAL::Bbox_3 box_;
 };
 
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
@@ -264,17 +245,18 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   Surface_input input(points, shapes, most_planes);
   input.add_walls(outlines::outline_table(points, data), shapes, up);
   Surface_table result;
-  result.number_of_planes = input.number_of_planes();
-  if(input.planes().size() < Surface_input::fewest_planes)
+  result.number_of_planes = input.groups.size();
+  if(input.planes.size() < Surface_input::fewest_planes)
     return result;
-  const Cells cells = cut_cells(input.planes(), input.box());
-  const Inside_cost cost(cells, input.planes(), up);
+  const Cells cells = cut_cells(input.planes, input.box);
+  const Inside_cost cost(cells, input.planes, up);
   const Inside_cells inside(cells, cost);
   for(std::size_t f = 0; f < cells.facets.size(); ++f)
     if(inside.is_boundary(int(f)))
-      result.number_of_points += cost.number_of_points(int(f));
-  const double shortest = 1e-9 * extent_of(input.box()); // what is closer is an effect of rounding
+      result.number_of_points += cost.number_of_points[f];
+  const double shortest = 1e-9 * extent_of(input.box); // what is closer is an effect of rounding
   const Short_edges edges(cells.points, Boundary_faces(cells, inside).faces(), shortest);
+  const auto out = [&](const Point& p) { return input.unit.out(Position{p.x(), p.y(), p.z()}); };
   std::map<int, std::size_t> number;
   for(const Face& face : edges.faces()) {
     result.plane_of_face.push_back(input.group(face.plane));
@@ -282,7 +264,7 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
     for(int v : face.vertices) {
       const auto added = number.emplace(v, result.points.size());
       if(added.second)
-        result.points.push_back(input.out(cells.points[std::size_t(v)]));
+        result.points.push_back(out(cells.points[std::size_t(v)]));
       result.faces.back().push_back(added.first->second);
     }
   }

@@ -6,7 +6,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 
-#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>

@@ -7,7 +7,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 
-#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/Plane_relations.h>
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
