@@ -75,16 +75,11 @@ BOOST_PP_SEQ_FOR_EACH(TANDEM_WITHOUT_EACH, Rank_connection,
                       BOOST_PP_VARIADIC_TO_SEQ(are_many, share, together, total, sum, gather, connect, ghosts, number,
                                                refresh, to_owners))
 
+// Operations and tables of another kind, and operations that return what is on the host.
 struct Other_buffer : Backend {
   template <class T>
   using Buffer = Nothing_callable;
 };
-struct Other_sort_table : Backend {
-  using Sort_table = Nothing_callable;
-};
-static_assert(!Is_backend<Other_buffer>::value && !Is_backend<Other_sort_table>::value, "tables");
-
-// Operations that lack an argument, or return what is on the host.
 struct Without_grain : Backend {
   template <class F>
   void for_each(std::size_t, F)
@@ -97,18 +92,8 @@ struct Collects_on_host : Backend {
     return {};
   }
 };
-struct Sums_to_buffer : Backend {
-  template <int N, class F>
-  archetypes::Buffer<std::int64_t> sum(std::size_t, F)
-  {
-    return {};
-  }
-};
-struct Without_large_exchange : Backend {
-  static std::uint32_t atomic_exchange_if(std::uint32_t& target, std::uint32_t, std::uint32_t) { return target; }
-};
-static_assert(!Is_backend<Without_grain>::value && !Is_backend<Collects_on_host>::value &&
-                !Is_backend<Sums_to_buffer>::value && !Is_backend<Without_large_exchange>::value,
+static_assert(!Is_backend<Other_buffer>::value && !Is_backend<Without_grain>::value &&
+                !Is_backend<Collects_on_host>::value,
               "operations");
 
 struct Without_pieces : Sequential_backend {
