@@ -1,15 +1,17 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What each back end of the host has to do: its operations, atomics and rounds, the searches of blocks, and the steps
-// before and after the loop, against naive versions.
+// What each back end of the host has to do: its operations, atomics, unions and rounds, the searches of blocks, and the
+// steps before and after the loop, against naive versions.
 
 #include "testing/backend_operations.h"
 #include "testing/block_searches.h"
-#include "testing/Reverse_backend.h"
 #include "testing/body_fixture.h"
 
+#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/result/extract_shapes.h>
+
+#include <numeric>
 
 BOOST_AUTO_TEST_SUITE(test_backends)
 
@@ -22,8 +24,7 @@ template <class F>
 void on_host_backends(F f)
 {
   f(Sequential_backend(), std::string("sequential"));
-  f(Reverse_backend(), std::string("reverse"));
-  for(unsigned threads : {2u, 8u})
+  for(unsigned threads : {1u, 8u})
     f(Thread_backend(threads), std::to_string(threads) + " threads");
 #ifdef CGAL_LINKED_WITH_TBB
   f(Tbb_backend(), std::string("parallel"));
@@ -63,6 +64,21 @@ BOOST_AUTO_TEST_CASE(atomics)
     check_equal(taken, std::uint32_t(slots), name + ": slots that are taken");
     for(std::size_t s = 0; s < slots; ++s)
       CHECK_AT(Backend::atomic_load(slot[s]) % slots == s, name + ": slot " + std::to_string(s));
+  });
+}
+
+// Whichever thread comes unites one set with the next smaller item, which becomes its root: they race for the same one.
+BOOST_AUTO_TEST_CASE(unions)
+{
+  on_host_backends([](auto backend, const std::string& name) {
+    constexpr std::uint32_t n = 300000; // long enough for threads to meet
+    Indices parent(n + 1);
+    std::iota(parent.begin(), parent.end(), 0u);
+    const Union_find<Shared_parents<decltype(backend)>> sets = {{parent.data()}};
+    std::uint32_t left = n;
+    backend.for_each(n, [&](std::size_t) { sets.unite(decltype(backend)::atomic_add(left, ~0u) - 1, n); });
+    for(std::uint32_t i = 0; i <= n; ++i)
+      CHECK_AT(sets.root(i) == 0, name + ": root of " + std::to_string(i));
   });
 }
 
@@ -168,96 +184,10 @@ BOOST_AUTO_TEST_CASE(order)
   });
 }
 
-// f(backend, name, fixture) where all points have one tolerance.
-template <class F>
-void on_plain_fixtures(F f)
-{
-  on_fixtures([&](auto& backend, const std::string& name, const Fixture& fixture) {
-    if(fixture.level.empty())
-      f(backend, name, fixture);
-  });
-}
-
-BOOST_AUTO_TEST_CASE(border)
-{
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    Labeled_cloud<std::decay_t<decltype(backend)>> points(backend);
-    take_cloud(f, points);
-    find_border(points);
-    const auto& border = points.border;
-    Indices expected;
-    for(std::size_t c = 0; c < f.cells.size(); ++c) {
-      const Range& cell = f.cells[c];
-      check_equal(border.range[c].first, std::uint32_t(expected.size()), name + ": border of a cell");
-      for(std::uint32_t i = cell.first; i < cell.last; ++i) {
-        bool is_at_border = false;
-        f.for_each_neighbor(i, [&](std::uint32_t q) { is_at_border |= q < cell.first || q >= cell.last; });
-        if(is_at_border)
-          expected.push_back(i);
-      }
-      check_equal(border.range[c].last, std::uint32_t(expected.size()), name + ": border of a cell");
-    }
-    check_lists(to_vector(backend, border.point), expected, name + ": border");
-  });
-}
-
-// Twice: what has been added to the shapes is zero again.
-BOOST_AUTO_TEST_CASE(deltas)
-{
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    Shape_table<std::decay_t<decltype(backend)>> shapes;
-    shapes.size = f.plane.size() + 5;
-    shapes.table() = filled_buffer(backend, shapes.size, Shape());
-    std::vector<Shared_moments> expected(shapes.size);
-    for(int pass = 0; pass < 2; ++pass) {
-      const std::string where = name + ": deltas of pass " + std::to_string(pass);
-      std::vector<char> has_delta(shapes.size, 0);
-      for(Shape& shape : shapes.table())
-        shape.history.is_fitted = true;
-      Shared_moments* sums = start_deltas(backend, shapes, shapes.size);
-      for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
-        const std::uint32_t s = f.label[i];
-        if(s >= first_mark || (pass == 1 && s % 3 == 0))
-          continue;
-        has_delta[s] = 1;
-        add_point(sums[s], f.point[i], -1);
-        add_point(expected[s], f.point[i], -1);
-      }
-      CHECK_AT(std::count(has_delta.begin(), has_delta.end(), 1) > 0, where + ": there are none");
-      add_deltas(backend, shapes);
-      check_moments(shapes, expected, where);
-      for(std::size_t s = 0; s < shapes.size; ++s)
-        CHECK_AT(shapes.table()[s].history.is_fitted == (has_delta[s] == 0), where + ": shapes to be fitted");
-    }
-    const std::size_t more = 2 * shapes.delta.size();
-    const Shared_moments* const sums = start_deltas(backend, shapes, more);
-    CHECK_AT(shapes.delta.size() >= more, name + ": room for deltas");
-    CHECK_AT(std::none_of(sums, sums + more, is_any), name + ": deltas that are not zero");
-  });
-}
-
-Labels_of_points labels_of_points(const Fixture& f) { return {f.cloud.surfels, f.label.data(), nullptr}; }
-
-BOOST_AUTO_TEST_CASE(sizes_of_components)
-{
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    const std::uint32_t n = f.cloud.size;
-    Indices component(n), size(n, 0), expected(n, 0);
-    for(std::uint32_t i = 0; i < n; ++i) {
-      component[i] = i - i % (1 + i / 16 % 32); // more roots in a cell than its table has slots
-      expected[component[i]] += f.label[i] < first_mark;
-    }
-    backend.template for_each_cell<Count_scratch>(
-      f.cells.size(), Count_components<std::decay_t<decltype(backend)>>{f.cells.data(), labels_of_points(f),
-                                                                        component.data(), size.data()});
-    check_lists(size, expected, name);
-  });
-}
-
 // Points that the integers leave open are decided by the caller's coordinates.
 BOOST_AUTO_TEST_CASE(exact_check)
 {
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
+  on_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
     const std::uint32_t n = f.cloud.size;
     const Tolerance certain = {f.tolerance.distance / 2, f.tolerance.squared_cosine};
     const Exact_bounds bounds = {1200, 0};
@@ -284,67 +214,6 @@ BOOST_AUTO_TEST_CASE(exact_check)
                   {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
     check_lists(label, expected, name);
     CHECK_AT(rejected > 20 || n < 100, name + ": " + std::to_string(rejected) + " points rejected");
-  });
-}
-
-// Every second label is a shape, all others are left out. Some points are farther away than epsilon.
-BOOST_AUTO_TEST_CASE(measures)
-{
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    Indices shape;
-    for(const std::uint32_t s : f.label)
-      shape.push_back(s < first_mark && s % 2 == 0 ? s : no_index);
-    std::vector<std::uint64_t> opposed(f.plane.size(), 0), expected_opposed = opposed, found(Point_measures::size, 0),
-                                                           expected = found;
-    const std::vector<std::uint8_t> level = f.mixed_levels();
-    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
-      const std::uint32_t label = shape[i];
-      f.for_each_neighbor(i, [&](std::uint32_t q) {
-        if(shape[q] != label)
-          ++expected[label == no_index || shape[q] == no_index ? Point_measures::free_links : Point_measures::links];
-      });
-      if(label == no_index)
-        continue;
-      const double units = double(Score_item::tolerance_units), exact = double(f.distance(label, i));
-      const auto share = [&](const Tolerance& t) {
-        return std::floor((std::min)(exact / double(t.distance), 1.) * units + .5);
-      };
-      const double own = share(f.tolerance.at(level[i]));
-      expected[Point_measures::distance] += std::uint64_t(share(f.tolerance));
-      expected[Point_measures::fit] += std::uint64_t(4096 - std::floor(4096 * own * own / units / units + .5));
-      const Int_vector m = decode_normal(f.point[i].normal);
-      const Plane& p = f.plane[label];
-      expected_opposed[label] += double(p.nx) * m.x + double(p.ny) * m.y + double(p.nz) * m.z < 0;
-    }
-    Cloud_view cloud = f.cloud;
-    cloud.surfels.level = level.data();
-    const Measure_points<std::decay_t<decltype(backend)>> body = {cloud,          f.cells.data(), labels_of_points(f),
-                                                                  f.plane.data(), shape.data(),   f.tolerance,
-                                                                  opposed.data(), found.data()};
-    backend.template for_each_cell<Measure_scratch>(f.cells.size(), body);
-    check_lists(opposed, expected_opposed, name + ": opposed normals");
-    check_lists(found, expected, name + ": distances, fit, and links");
-  });
-}
-
-// Labels that are no shapes are left out.
-BOOST_AUTO_TEST_CASE(groups)
-{
-  on_plain_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    const std::size_t shapes = f.plane.size() - 1;
-    std::vector<std::int32_t> shape_of;
-    std::vector<Indices> expected(shapes);
-    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
-      shape_of.push_back(f.label[i] < first_mark ? std::int32_t(f.label[i]) : -1);
-      if(f.label[i] < shapes)
-        expected[f.label[i]].push_back(i);
-    }
-    const auto groups = group_points(backend, shape_of.data(), shape_of.size(), shapes);
-    const auto first = groups.position.begin();
-    for(std::size_t s = 0; s < shapes; ++s)
-      check_lists(Indices(first + groups.first[s], first + groups.first[s + 1]), expected[s],
-                  name + ": points of shape " + std::to_string(s));
-    CHECK_AT(groups.position.size() == groups.first[shapes], name);
   });
 }
 

@@ -1,49 +1,71 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole method on a back end of this test, Thread_backend: the bits of the
-// sequential one, for any number of threads. Under ThreadSanitizer this is the
-// search for data races.
+// The whole method on a third back end of the host, Thread_backend: it has the bits of the sequential one, for any number
+// of threads, although all of its loops run backwards. Under ThreadSanitizer this is the search for data races. And as it
+// counts its loops: not more of them than today, and not more passes over the points for more points. A change that makes
+// more says why, and raises the bounds; one that makes fewer lowers them.
 
 #include "testing/Thread_backend.h"
 #include "testing/test_support.h"
 
-#include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
-
-#include <string>
+#include <CGAL/Tandem/internal/backend/concepts.h>
 
 BOOST_AUTO_TEST_SUITE(test_thread_backend)
 
-template <class Normal_map>
-struct Traits : CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Normal_map, CGAL::Sequential_tag> {
-  using Backend = CGAL::Tandem::internal::Thread_backend;
-  using Execution = CGAL::Tandem::internal::Execution_on<Backend>;
-  explicit Traits(unsigned threads = 1) : threads(threads) {}
-  Backend backend() const { return Backend(threads); }
-  unsigned threads;
-};
+using CGAL::Tandem::Thread_tag;
+using CGAL::Tandem::internal::Thread_backend;
 
-template <class Normal_map>
-void compare(Given given)
+static_assert(CGAL::Tandem::internal::Is_host_backend<Thread_backend>::value, "it is no model of the concept");
+
+BOOST_AUTO_TEST_CASE(bits)
 {
-  const Cloud house = to_cloud(scenes::make_scene("house", scene_options(9000, .001, .1)));
-  Parameters parameters;
-  parameters.minimum_region_size = 40;
-  parameters.cell_size = 512;
-  const Shapes expected = detect(house, parameters, given);
-  CHECK(expected.number_of_shapes() >= 6);
-  for(unsigned threads : {3u, 8u}) {
-    CGAL::Tandem::Planar_shape_detection_3<Traits<Normal_map>> detection(
-      house, CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).normal_map(Normal_map()),
-      Traits<Normal_map>(threads));
-    detection.detect();
-    const Shapes shapes = detection.shapes();
-    check_same(shapes, expected, std::to_string(threads) + " threads");
-    CHECK(shapes.hash() == expected.hash());
-  }
+  std::size_t shapes = 0;
+  for(const char* name : {"house", "indoor", "staircase"})
+    for(Given given : {Given::normals, Given::nothing}) {
+      const Cloud cloud = to_cloud(scenes::make_scene(name, scene_options(8000, .001, .1)));
+      Parameters parameters = make_parameters(.02, 50);
+      parameters.cell_size = 512;
+      const Shapes expected = detect(cloud, parameters, given);
+      shapes += expected.number_of_shapes();
+      for(unsigned threads : {1u, 3u, 8u}) {
+        Thread_backend::default_threads = threads;
+        const Shapes found = detect<Thread_tag>(cloud, parameters, given);
+        const std::string where = name + (", " + std::to_string(threads)) + " threads";
+        check_same(found, expected, where);
+        CHECK_AT(found.hash() == expected.hash(), where);
+        CHECK_AT(found.statistics().backend == std::string("threads"), where);
+      }
+    }
+  CHECK_AT(shapes > 30, std::to_string(shapes));
 }
 
-BOOST_AUTO_TEST_CASE(given_normals) { compare<Second<Kernel>>(Given::normals); }
-BOOST_AUTO_TEST_CASE(estimated_normals) { compare<CGAL::Default>(Given::nothing); }
+// Half a pass above the present numbers of items, by point, and 5 % above those of loops, by round. Loops over cells are
+// passes over the points that are not among the items. Each point is a surfel, so that each pass is a whole one.
+BOOST_AUTO_TEST_CASE(passes)
+{
+  Thread_backend::default_threads = 1;
+  struct Bounds {
+    Given given;
+    double items, loops, cell_loops;
+  };
+  for(const Bounds& most : {Bounds{Given::normals, 88.3, 177, 14.7}, Bounds{Given::nothing, 126, 194, 16.3}})
+    for(const std::size_t points : {30000, 120000}) {
+      Thread_backend::loops = Thread_backend::items = Thread_backend::cell_loops = 0;
+      const Cloud cloud = to_cloud(scenes::make_scene("indoor", scene_options(points, .001, .1)));
+      const Shapes shapes = detect<Thread_tag>(cloud, points_only(.02, 60), most.given);
+      const double rounds = double(shapes.statistics().number_of_rounds),
+                   items = double(Thread_backend::items) / double(points),
+                   loops = double(Thread_backend::loops) / rounds,
+                   cell_loops = double(Thread_backend::cell_loops) / rounds;
+      const std::string found = std::to_string(points) + " points: " + std::to_string(items) + " items a point, " +
+                                std::to_string(loops) + " loops and " + std::to_string(cell_loops) +
+                                " over cells a round of " + std::to_string(rounds);
+      std::cout << found << std::endl;
+      CHECK_AT(shapes.number_of_shapes() > 10 && items <= most.items && loops <= most.loops &&
+                 cell_loops <= most.cell_loops,
+               found);
+    }
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(threads_at_once)
     check_equal(wrong[t], 0, "wrong results of thread " + std::to_string(t));
 }
 
-// A detection that is made by one thread, on the last device, and finished by another one.
+// A detection that is made by one thread, on the last device, and finished by another one. The current device stays what
+// it was.
 BOOST_AUTO_TEST_CASE(moves_between_threads)
 {
   const Cloud cloud = make_cloud("house", 20000);
@@ -101,21 +102,8 @@ BOOST_AUTO_TEST_CASE(moves_between_threads)
   }).join();
   check_equal(device_of_thread, 0, "device of a thread that has chosen none, where the first one is in use");
   CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
-}
-
-// On each device there is; the current one stays what it was.
-BOOST_AUTO_TEST_CASE(current_device)
-{
-  const Cloud cloud = make_cloud("house", 10000);
-  const std::uint64_t expected = detect(cloud, make_parameters(.05, 40)).hash();
-  for(int device = number_of_devices() - 1; device >= 0; --device) {
-    CHECK(cudaSetDevice(device) == cudaSuccess);
-    CHECK_AT(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == expected, std::to_string(device));
-    int now = -1;
-    CHECK(cudaGetDevice(&now) == cudaSuccess);
-    check_equal(now, device, "current device");
-    CHECK(cudaGetLastError() == cudaSuccess);
-  }
+  int device = -1;
+  CHECK(cudaGetDevice(&device) == cudaSuccess && device == 0 && cudaGetLastError() == cudaSuccess);
 }
 
 // Fails at the item in the middle.
@@ -134,11 +122,15 @@ struct Failing_map {
   }
 };
 
-// Nothing is lost where a map fails in the middle of the upload, and where a callback throws between rounds.
-BOOST_AUTO_TEST_CASE(exceptions)
+// No memory is lost, also where a map fails in the middle of the upload, and where a callback throws between rounds. The
+// first runs find out how much is kept.
+BOOST_AUTO_TEST_CASE(many_runs)
 {
-  const Cloud cloud = make_cloud("house", 100000);
-  const auto settings = CGAL::Tandem::parameters::settings(make_parameters(.05, 40)).normal_map(Second<Kernel>());
+  const int runs = (std::max)(int(argument(1, 30)), 11);
+  const Cloud cloud = make_cloud("house", 20000);
+  const Parameters parameters = make_parameters(.05, 40);
+  const std::uint64_t expected = detect(cloud, parameters).hash();
+  const auto settings = CGAL::Tandem::parameters::settings(parameters).normal_map(Second<Kernel>());
   const auto fail_in_upload = [&] {
     CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(Failing_map{&cloud}));
   };
@@ -150,14 +142,15 @@ BOOST_AUTO_TEST_CASE(exceptions)
     CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(First<Kernel>()).callback(callback));
   };
   std::size_t settled = 0;
-  for(int run = 0; run < 40; ++run) {
+  for(int run = 0; run < runs; ++run) {
     check_throws<std::domain_error>(fail_in_upload, {"no such point"}, __LINE__);
     check_throws<std::domain_error>(fail_between_rounds, {"no more"}, __LINE__);
-    if(run == 19)
+    detect<Cuda_tag>(cloud, parameters, Given::nothing);
+    CHECK_AT(detect<Cuda_tag>(cloud, parameters).hash() == expected, "run " + std::to_string(run));
+    if(run == 9)
       settled = free_memory();
   }
-  check_equal(free_memory(), settled, "free memory after exceptions");
-  CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == detect(cloud, make_parameters(.05, 40)).hash());
+  check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
 }
 
 // What a run keeps for the next one is given back, as often as asked for.
@@ -193,25 +186,6 @@ BOOST_AUTO_TEST_CASE(too_large_cloud)
   CHECK(cudaFree(block) == cudaSuccess);
   const Shapes on_device = detect<Cuda_if_available_tag>(cloud, parameters);
   CHECK(on_device.hash() == expected && on_device.statistics().backend == std::string("cuda"));
-}
-
-// The first runs find out how much memory is kept.
-BOOST_AUTO_TEST_CASE(loop)
-{
-  const int runs = int(argument(1, 30));
-  const Cloud cloud = make_cloud("house", 20000);
-  const Parameters parameters = make_parameters(.05, 40);
-  const std::uint64_t expected = detect(cloud, parameters).hash();
-  std::size_t settled = 0;
-  for(int run = 0; run < runs; ++run) {
-    const Given given = run % 2 == 0 ? Given::normals : Given::nothing;
-    const std::uint64_t hash = detect<Cuda_tag>(cloud, parameters, given).hash();
-    CHECK_AT(given == Given::nothing || hash == expected, "run " + std::to_string(run));
-    if(run == 9)
-      settled = free_memory();
-  }
-  if(runs > 10)
-    check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,7 +6,7 @@
 
 #undef NDEBUG
 
-#include "testing/mpi_cases.h"
+#include "testing/mpi_support.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 

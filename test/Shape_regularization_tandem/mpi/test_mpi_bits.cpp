@@ -7,77 +7,43 @@
 
 #undef NDEBUG
 
-#include "testing/mpi_cases.h"
+#include "testing/mpi_support.h"
 #include "testing/tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <cstdlib>
-#include <memory>
-
-// The wall is one shape, and it has points of all ranks.
-void test_wall(const Ranks& ranks)
-{
-  const Dealt_case c = {{"wall", wall(3000, 30), with_cells(make_parameters(.01, 24), 64), Given::normals},
-                        Deal::blocks};
-  const Shapes shapes = detect_on<CGAL::Sequential_tag>(ranks, c.part(ranks), c.parameters, c.given);
-  check_equal(shapes.number_of_shapes(), 1u, c.text(ranks) + ": number of shapes");
-  CHECK_AT(shapes.points(0).size() > 0, c.text(ranks));
-}
-
-void test_threads(const Ranks& ranks)
-{
-  std::vector<Dealt_case> cases;
-  for(const char* name : {"house", "indoor"})
-    cases.push_back({{name, make_cloud(name, 1500), with_cells(make_parameters(.2, 20), 100), Given::nothing},
-                     name[0] == 'h' ? Deal::random : Deal::odd});
-  CHECK(sum_over(ranks, compare_with_one<CGAL::Parallel_if_available_tag>(ranks, cases)) > 5);
-}
-
-template <class Normal_map, class Tag>
-using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Normal_map, Tag>;
 
 // A difference is reported with the round in which it comes up.
-template <class Normal_map>
-void compare_rounds(const Ranks& ranks, const Dealt_case& c)
+void test_rounds(const Ranks& ranks)
 {
-  using One = CGAL::Tandem::Planar_shape_detection_3<Traits<Normal_map, CGAL::Sequential_tag>>;
-  using Many_traits = Traits<Normal_map, Mpi_tag<CGAL::Sequential_tag>>;
-  const auto list =
-    CGAL::Tandem::parameters::settings(c.parameters).point_map(First<Kernel>()).normal_map(Normal_map());
-  std::unique_ptr<One> one;
-  if(ranks.rank() == 0)
-    one = std::make_unique<One>(c.whole(ranks), list);
+  const Dealt_case c = {{"house", make_cloud("house", 2500), with_cells(make_parameters(.2, 30), 128), Given::nothing},
+                        Deal::random};
+  using One_traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>>;
+  using Many_traits =
+    CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, CGAL::Default, Mpi_tag<CGAL::Sequential_tag>>;
+  const auto list = CGAL::Tandem::parameters::settings(c.parameters).point_map(First<Kernel>());
+  // Each rank has the result of one process.
+  CGAL::Tandem::Planar_shape_detection_3<One_traits> one(c.whole(ranks), list);
   CGAL::Tandem::Planar_shape_detection_3<Many_traits> many(c.part(ranks), list, Many_traits(Kernel(), ranks));
   const auto compare = [&](const std::string& where) {
-    const Shapes expected = one ? one->shapes() : Shapes();
+    const Shapes expected = one.shapes();
     check_same_on_ranks(ranks, many.shapes(), &expected, 0, c.text(ranks) + where);
   };
   compare(", before the first round");
   bool goes_on = true;
   for(int round = 0; goes_on; ++round) {
     goes_on = many.iterate();
-    const std::string where = ", round " + std::to_string(round);
-    CHECK_AT(!one || one->iterate() == goes_on, c.text(ranks) + where + ": one of them has ended");
-    compare(where);
+    CHECK_AT(one.iterate() == goes_on, c.text(ranks) + ": one of them has ended");
+    compare(", round " + std::to_string(round));
   }
   many.finish();
-  if(one)
-    one->finish();
+  one.finish();
   compare(", after the end game");
   CHECK_AT(!many.iterate(), c.text(ranks));
   many.finish();
   compare(", finished twice");
   CHECK_AT(many.shapes().number_of_shapes() >= 2, c.text(ranks));
-}
-
-void test_rounds(const Ranks& ranks)
-{
-  const Parameters parameters = with_cells(make_parameters(.2, 30), 128);
-  compare_rounds<Second<Kernel>>(ranks,
-                                 {{"house", make_cloud("house", 2500), parameters, Given::normals}, Deal::random});
-  compare_rounds<CGAL::Default>(ranks,
-                                {{"indoor", make_cloud("indoor", 2000), parameters, Given::nothing}, Deal::blocks});
 }
 
 // Messages of the caller that are under way while the ranks work.
@@ -138,12 +104,8 @@ void test_estimates(const Ranks& ranks, std::size_t points)
     CGAL::Tandem::estimate_parameters<Mpi_tag<CGAL::Sequential_tag>>(c.part(ranks), list.communicator(ranks));
   Words own, expected;
   add_parameters(own, estimated);
-  own = gather(ranks, own, 0);
-  if(ranks.rank() != 0)
-    return;
-  for(int r = 0; r < ranks.size(); ++r)
-    add_parameters(expected, CGAL::Tandem::estimate_parameters<CGAL::Sequential_tag>(c.cloud, list));
-  CHECK_AT(own == expected, c.text(ranks) + ": estimated parameters");
+  add_parameters(expected, CGAL::Tandem::estimate_parameters<CGAL::Sequential_tag>(c.cloud, list));
+  CHECK_AT(gather(ranks, own, 0) == repeated_on_root(ranks, expected), c.text(ranks) + ": estimated parameters");
 }
 
 // Points with tolerances of their own: the results of a single process, and few points that are too far for the grid.
@@ -188,11 +150,10 @@ int main(int argc, char** argv)
                              compare_with_one(world, random_cases(1, 20 / stride, are_few ? 1500 : 15000));
   CHECK(sum_over(world, shapes) > 150 / stride);
   compare_with_one(world, border_cases(world, stride));
-  test_threads(world);
+  compare_with_one<CGAL::Parallel_if_available_tag>(world, scene_cases(world, 11));
   test_communicators(world);
   test_tolerances(world);
   if(!are_few) {
-    test_wall(world);
     test_estimates(world, 2000);
     test_estimates(world, 150000);
     test_rounds(world);

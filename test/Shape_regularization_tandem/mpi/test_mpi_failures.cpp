@@ -19,6 +19,8 @@
 
 #include <CGAL/Point_set_3.h>
 
+#include <boost/core/demangle.hpp>
+
 #include <cmath>
 #include <csignal>
 #include <functional>
@@ -33,22 +35,14 @@ using Data = Shapes::Data;
 // Not of the standard library.
 struct Stop {};
 
-// The exception of f() by type and message. The types are those that other ranks can throw again.
+// The exception of f() by type and message.
 template <class F>
 std::string failure_of(F f)
 {
   try {
     f();
-  } catch(const std::invalid_argument& e) {
-    return std::string("invalid_argument: ") + e.what();
-  } catch(const std::logic_error& e) {
-    return std::string("logic_error: ") + e.what();
-  } catch(const std::range_error& e) {
-    return std::string("range_error: ") + e.what();
-  } catch(const std::runtime_error& e) {
-    return std::string("runtime_error: ") + e.what();
-  } catch(const std::bad_alloc&) {
-    return "bad_alloc";
+  } catch(const std::exception& e) {
+    return boost::core::demangle(typeid(e).name()) + ": " + e.what();
   } catch(const Stop&) {
     return "Stop";
   }
@@ -61,11 +55,9 @@ void check_failure(const Ranks& ranks, const std::string& text, std::initializer
 {
   for(const char* word : words)
     CHECK_AT(text.find(word) != std::string::npos, name + ": " + word + " is not in: " + text);
-  const Words letters(text.begin(), text.end()), all = gather(ranks, letters, 0);
-  Words expected;
-  for(int r = 0; r < ranks.size() && ranks.rank() == 0; ++r)
-    expected.insert(expected.end(), letters.begin(), letters.end());
-  CHECK_AT(all == expected, name + ": the ranks do not agree on: " + text);
+  CHECK_AT(gather(ranks, Words(text.begin(), text.end()), 0) ==
+             repeated_on_root(ranks, Words(text.begin(), text.end())),
+           name + ": the ranks do not agree on: " + text);
 }
 
 Dealt_case make_case()
@@ -159,8 +151,6 @@ void test_different_parameters(const Ranks& ranks)
                   {"invalid_argument", name, "the same on all ranks"}, name);
   };
   check("maximum_distance", [](Parameters& p) { p.maximum_distance = .02; });
-  check("minimum_region_size", [](Parameters& p) { p.minimum_region_size = 5000; });
-  check("regularity", [](Parameters& p) { p.regularity = 0; });
   check("cell_size", [](Parameters& p) { p.cell_size = 100; });
   check("regularize_coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
   check("fixed_directions", [](Parameters& p) { p.fixed_directions = {{0, 0, 1}}; });
@@ -190,24 +180,21 @@ void test_normals_of_some_ranks(const Ranks& ranks)
   check_alive(ranks);
 }
 
-template <class Tag>
-void test_map(const Ranks& ranks, const std::string& expected, const std::function<void()>& fail)
-{
-  const Cloud part = make_case().part(ranks);
-  for(const int bad : first_and_last(ranks)) {
-    const Failing_map map = {ranks.rank() == bad ? &part[part.size() / 2] : nullptr, fail};
-    const auto list = np::maximum_distance(.01).point_map(map).normal_map(Second<Kernel>()).communicator(ranks);
-    const std::string found = failure_of([&] { CGAL::Tandem::detect_planes<Mpi_tag<Tag>>(part, list); });
-    check_failure(ranks, found, {expected.c_str()}, "a property map");
-  }
-}
-
 void test_maps(const Ranks& ranks)
 {
-  using Tag = CGAL::Parallel_if_available_tag;
-  test_map<CGAL::Sequential_tag>(ranks, "runtime_error: lost", [] { throw std::runtime_error("lost"); });
-  test_map<Tag>(ranks, "invalid_argument: lost", [] { throw std::invalid_argument("lost"); });
-  test_map<Tag>(ranks, "bad_alloc", [] { throw std::bad_alloc(); });
+  using Tag = Mpi_tag<CGAL::Parallel_if_available_tag>;
+  const Cloud part = make_case().part(ranks);
+  const auto check = [&](const char* expected, const std::function<void()>& fail) {
+    for(const int bad : first_and_last(ranks)) {
+      const Failing_map map = {ranks.rank() == bad ? &part[part.size() / 2] : nullptr, fail};
+      const auto list = np::maximum_distance(.01).point_map(map).normal_map(Second<Kernel>()).communicator(ranks);
+      const std::string found = failure_of([&] { CGAL::Tandem::detect_planes<Tag>(part, list); });
+      check_failure(ranks, found, {expected}, "a property map");
+    }
+  };
+  check("runtime_error: lost", [] { throw std::runtime_error("lost"); });
+  check("invalid_argument: lost", [] { throw std::invalid_argument("lost"); });
+  check("bad_alloc", [] { throw std::bad_alloc(); });
   check_alive(ranks);
 }
 
@@ -248,7 +235,7 @@ void test_throwing_callbacks(const Ranks& ranks, int stride)
     }
   // A type that other ranks do not know.
   const std::string found = failure_with_callback(ranks, 0, [](double) -> bool { throw Stop(); });
-  CHECK_AT(found == (ranks.rank() == 0 ? "Stop" : "runtime_error: another rank has failed"), found);
+  CHECK_AT(found == (ranks.rank() == 0 ? "Stop" : "std::runtime_error: another rank has failed"), found);
   check_alive(ranks);
 }
 
@@ -353,7 +340,7 @@ void test_bounded_memory(const Ranks& ranks)
   malloc_trim(0);
   const Memory_limit limit(bytes);
   const std::string alone = ranks.rank() == 0 ? failure_of(detect_alone) : "bad_alloc";
-  CHECK_AT(alone == "bad_alloc", alone);
+  CHECK_AT(alone.find("bad_alloc") != std::string::npos, alone);
   malloc_trim(0);
   Shapes own;
   const std::string found = failure_of([&] { own = detect_with(ranks, part, list); });
@@ -395,51 +382,34 @@ private:
   Shapes shapes_;
 };
 
+// What one rank cannot see by itself.
 void test_reasons(const Checked_result& result)
 {
-  const auto check = [&](const std::string& name, const char* word, auto corrupt) {
+  const auto check = [&](const std::string& name, auto corrupt) {
     Data data = result.shapes().data();
     if(result.is_last())
       corrupt(data);
     const std::string why = result.reason(data, name);
-    CHECK_AT(why.find(word) != std::string::npos, name + " is refused because: " + why);
+    CHECK_AT(why.find("different") != std::string::npos, name + " is refused because: " + why);
   };
-  if(result.ranks().size() > 1) { // what one rank cannot see by itself
-    check("another plane", "different",
-          [](Data& d) { d.coefficients[0][3] = std::nextafter(d.coefficients[0][3], 9.); });
-    check("other parameters", "different", [](Data& d) { ++d.parameters.k_neighbors; });
-  }
-  check("a point of no shape", "out of range",
-        [](Data& d) { change_table(d.shape_of, [](std::vector<std::int32_t>& labels) { labels[0] = 1000; }); });
-  check("a point freed", "size", [](Data& d) {
-    change_table(d.shape_of, [](std::vector<std::int32_t>& labels) {
-      *std::find_if(labels.begin(), labels.end(), [](std::int32_t s) { return s >= 0; }) = -1;
-    });
-  });
+  if(result.ranks().size() == 1)
+    return;
+  check("another plane", [](Data& d) { d.coefficients[0][3] = std::nextafter(d.coefficients[0][3], 9.); });
+  check("other parameters", [](Data& d) { ++d.parameters.k_neighbors; });
 }
 
-// Fields of the last rank: all but statistics and uncertainties, which are not checked.
+// Fields of the last rank.
 void test_each_field(const Checked_result& result)
 {
   std::size_t checked = 0, refused = 0;
-  enum : int { none, other, promised };
-  for(std::size_t number = 0;; ++number) {
+  for(;; ++checked) {
     Data data = result.shapes().data(), corrupted = data;
     corrupted.points = result.shapes().point_groups();
-    const Corruption corruption(corrupted, number);
-    const std::string field = corruption.is_made() ? corruption.field() : "";
-    int kind = field.empty()                                                       ? none
-               : field.find("statistics.") == 0 || field.find("uncertainty[") == 0 ? other
-                                                                                   : promised;
-    MPI_Bcast(&kind, 1, MPI_INT, result.ranks().size() - 1, result.ranks());
-    if(kind == none)
+    int is_any = Corruption(corrupted, checked).is_made();
+    MPI_Bcast(&is_any, 1, MPI_INT, result.ranks().size() - 1, result.ranks());
+    if(!is_any)
       break;
-    if(result.is_last())
-      data = corrupted;
-    if(kind == promised) {
-      ++checked;
-      refused += !result.reason(data, "corruption " + std::to_string(number)).empty();
-    }
+    refused += !result.reason(result.is_last() ? corrupted : data, "corruption " + std::to_string(checked)).empty();
   }
   CHECK_AT(checked > 200 && refused > checked * 7 / 10, std::to_string(refused) + " of " + std::to_string(checked));
 }
@@ -450,18 +420,13 @@ void test_other_results(const Ranks& ranks)
   Cloud cloud = make_case().cloud;
   cloud.emplace_back(Kernel::Point_3(NAN, 0, 0), Kernel::Vector_3(0, 0, 1));
   const auto list = np::point_map(First<Kernel>()).communicator(ranks);
-  for(const std::size_t size : {cloud.size(), std::size_t(0)}) {
-    const std::ptrdiff_t own = ranks.rank() == ranks.size() - 1 ? std::ptrdiff_t(size) : 0;
-    const Cloud part(cloud.begin(), cloud.begin() + own);
-    const auto check = [&](const auto& maps) {
-      const Shapes shapes =
-        CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part, maps.settings(make_parameters(.01, 30)));
-      CHECK(shapes.number_of_shapes() >= (size > 0 ? 6 : 0));
-      std::string why;
-      CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, maps, &why), why);
-    };
-    check(list);
-    check(list.normal_map(Second<Kernel>()));
+  for(const Cloud& all : {cloud, Cloud()}) {
+    const Cloud part = ranks.rank() == ranks.size() - 1 ? all : Cloud();
+    const Shapes shapes =
+      CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part, list.settings(make_parameters(.01, 30)));
+    CHECK(shapes.number_of_shapes() >= (all.empty() ? 0 : 6));
+    std::string why;
+    CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, list, &why), why);
   }
 }
 

@@ -26,81 +26,58 @@ namespace Tandem {
 namespace internal {
 
 // What is to be done, in its order. There is one list, as a thread has one stream.
-class Late_work {
-public:
-  static void add(std::function<void()> work) { list().push_back(std::move(work)); }
+struct Late_work {
+  inline static std::vector<std::function<void()>> list;
 
   static void run()
   {
-    const std::vector<std::function<void()>> all = std::move(list());
-    list().clear();
-    for(const auto& work : all)
+    for(const auto& work : std::exchange(list, {}))
       work();
-  }
-
-private:
-  static std::vector<std::function<void()>>& list()
-  {
-    static std::vector<std::function<void()>> works;
-    return works;
   }
 };
 
+// Loops that have not run may still use the memory that is released.
 template <class T>
-class Late_buffer {
+class Late_buffer : Garbage_buffer<T> {
+  using Memory = Garbage_buffer<T>;
+
 public:
+  using Memory::data;
+  using Memory::Memory;
+  using Memory::size;
+
   Late_buffer() = default;
-  explicit Late_buffer(std::size_t size) { reset(size); }
-  Late_buffer(Host_buffer<T>&& filled) : memory_(std::move(filled)), size_(memory_.size()) {}
-  Late_buffer(Late_buffer&& other) noexcept : memory_(std::move(other.memory_)), size_(std::exchange(other.size_, 0)) {}
+  Late_buffer(Late_buffer&& other) noexcept : Memory(std::move(other)) {}
   ~Late_buffer() { release(); }
 
   Late_buffer& operator=(Late_buffer&& other) noexcept
   {
     release();
-    memory_ = std::move(other.memory_);
-    size_ = std::exchange(other.size_, 0);
+    Memory::operator=(std::move(other));
     return *this;
   }
 
   void reset(std::size_t size)
   {
     release();
-    memory_.reset(size);
-    fill_with_garbage(memory_.data(), size);
-    size_ = size;
+    Memory::reset(size);
   }
 
-  // Loops that have not run may still use the memory.
   void release()
   {
-    if(size_ == 0)
+    if(data() == nullptr)
       return;
-    const auto memory = std::make_shared<Host_buffer<T>>(std::move(memory_));
-    const std::size_t size = std::exchange(size_, 0);
-    Late_work::add([memory, size] { fill_with_garbage(memory->data(), size); });
+    const auto memory = std::make_shared<Memory>(static_cast<Memory&&>(*this));
+    Memory::release();
+    Late_work::list.push_back([memory] { fill_with_garbage(memory->data(), memory->size()); });
   }
-
-  T* data() { return memory_.data(); }
-  const T* data() const { return memory_.data(); }
-  std::size_t size() const { return size_; }
-
-private:
-  Host_buffer<T> memory_;
-  std::size_t size_ = 0;
 };
 
-class Late_sort_table {
-public:
+struct Late_sort_table : Late_buffer<Host_sort_table::Entry> {
   using View = Host_sort_table::View;
+  using Late_buffer::Late_buffer;
 
-  explicit Late_sort_table(std::size_t size) : entries_(size) {}
-
-  View view() const { return {const_cast<Host_sort_table::Entry*>(entries_.data())}; }
-  std::size_t size() const { return entries_.size(); }
-
-private:
-  Late_buffer<Host_sort_table::Entry> entries_;
+  View view() const { return {const_cast<Host_sort_table::Entry*>(data())}; }
 };
 
 // Loops on the host see what has run by then. Loops over pieces wait, since host stages read tables in them.
@@ -118,6 +95,7 @@ public:
   static const char* name() { return "late"; }
 
   void wait() { Late_work::run(); }
+  void begin_loop() override { wait(); }
 
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
@@ -137,14 +115,7 @@ public:
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
   {
-    Late_work::add([=] { Shuffled_backend::for_each(n, f); });
-  }
-
-  template <class F>
-  void for_each_piece(std::size_t n, std::size_t grain, F f)
-  {
-    wait();
-    Shuffled_backend::for_each_piece(n, grain, f);
+    Late_work::list.push_back([=] { Shuffled_backend::for_each(n, f); });
   }
 
   template <class F>
@@ -156,7 +127,7 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    Late_work::add([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
+    Late_work::list.push_back([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
   }
 
   void sort(Sort_table& table, int = 63)
@@ -164,7 +135,7 @@ public:
     using Entry = Host_sort_table::Entry;
     Entry* const first = table.view().entry;
     Entry* const last = first + table.size();
-    Late_work::add([first, last] {
+    Late_work::list.push_back([first, last] {
       std::reverse(first, last);
       std::sort(first, last, [](const Entry& a, const Entry& b) { return a.key < b.key; });
     });
@@ -172,34 +143,13 @@ public:
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t n, std::size_t largest)
   {
-    Late_work::add([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
-  }
-
-  template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
-  {
-    wait();
-    return Shuffled_backend::compact(n, is_kept);
-  }
-
-  template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f)
-  {
-    wait();
-    return Shuffled_backend::collect<T>(n, f);
-  }
-
-  template <int N, class F>
-  std::array<std::int64_t, N> sum(std::size_t n, F f)
-  {
-    wait();
-    return Shuffled_backend::sum<N>(n, f);
+    Late_work::list.push_back([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
   }
 
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    Late_work::add([=] { Shuffled_backend::run_rounds(maximum_rounds, items, rounds); });
+    Late_work::list.push_back([=] { Shuffled_backend::run_rounds(maximum_rounds, items, rounds); });
   }
 };
 

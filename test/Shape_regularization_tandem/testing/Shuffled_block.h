@@ -85,19 +85,10 @@ struct Shuffled_block : Serial_block {
     });
   }
 
-  // As a device does it: all items of a window, then the smallest.
   template <class F>
   std::uint32_t find_first(std::uint32_t first, std::uint32_t n, F f)
   {
-    for(; first < n; first += window) {
-      std::uint32_t found = n;
-      dice.visit(first, (std::min)(first + window, n), [&](std::size_t i) {
-        if(f(std::uint32_t(i)))
-          found = (std::min)(found, std::uint32_t(i));
-      });
-      if(found < n)
-        return found;
-    }
+    find(first, n, 1, f, [&](std::uint32_t, std::uint32_t i) { n = i; });
     return n;
   }
 
@@ -159,11 +150,15 @@ public:
   using Buffer = Garbage_buffer<T>;
 
   explicit Shuffled_backend(std::uint64_t seed = 1) : dice_(seed) {}
+  virtual ~Shuffled_backend() = default;
 
   static const char* name() { return "shuffled"; }
 
   // So many that cells of small clouds are parted.
   std::size_t concurrency() const { return 20; }
+
+  // Before a loop that is not put off, nor part of one that is.
+  virtual void begin_loop() {}
 
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
@@ -180,6 +175,7 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
+    begin_loop();
     dice_.visit(0, (n + grain - 1) / grain,
                 [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
   }
@@ -207,6 +203,7 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
+    begin_loop();
     dice_.visit(0, n, [&](std::size_t i) { is_kept(std::uint32_t(i)); });
     std::vector<std::uint32_t> kept;
     dice_.visit(0, n, [&](std::size_t i) {

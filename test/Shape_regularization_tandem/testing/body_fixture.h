@@ -244,7 +244,7 @@ inline const std::vector<Fixture>& fixtures()
 template <class F>
 void on_body_backends(F f)
 {
-  f(Thread_backend(), std::string("threads"));
+  f(Thread_backend(3), std::string("threads"));
   for(std::uint64_t seed : {1, 2})
     f(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
 }

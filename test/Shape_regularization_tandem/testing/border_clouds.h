@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Clouds at the border of what there can be: equal, joined, moved and bad points.
+// Clouds at the border of what there can be: equal, joined, moved and bad points, ties, hardly any points.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BORDER_CLOUDS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BORDER_CLOUDS_H
@@ -9,6 +9,9 @@
 #include "test_support.h"
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 inline Cloud make_cloud(const std::string& scene, std::size_t points, double noise = .001, double outliers = .1)
 {
@@ -40,6 +43,60 @@ inline Cloud spoiled(Cloud cloud, std::size_t n)
     else
       cloud[i].second = Kernel::Vector_3(0, i % 3 == 0 ? nan : 0, 0);
   return cloud;
+}
+
+// One wall; if it is long, it has parts on all ranks.
+inline Cloud wall(std::size_t n, double length)
+{
+  scenes::Random random(3);
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+    cloud.emplace_back(Kernel::Point_3(length * random.uniform(), .003 * random.uniform(), random.uniform()),
+                       Kernel::Vector_3(.05 * random.uniform(), 1, 0));
+  return cloud;
+}
+
+// Two walls of equal distances everywhere. With ten neighbors, ties decide who is one of them, and as some points have
+// other normals, links count differently with other ones.
+inline Cloud lattice(int n)
+{
+  Cloud cloud;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const double other = (31 * i + 17 * j) % 11 < 3;
+      cloud.emplace_back(Kernel::Point_3(i * 0x1p-6, j * 0x1p-6, 0), Kernel::Vector_3(other, other, 1));
+      cloud.emplace_back(Kernel::Point_3(0, i * 0x1p-6, (j + 1) * 0x1p-6), Kernel::Vector_3(1, other, other));
+    }
+  return cloud;
+}
+
+// Some have so many points for each rank.
+inline std::vector<std::pair<std::string, Cloud>> border_clouds(std::size_t ranks = 1)
+{
+  const Cloud cube = make_cloud("cube", 1500), house = make_cloud("house", 2000);
+  Cloud twice = joined(cube, cube), line;
+  shuffle(twice, 1);
+  for(int i = 0; i < 2000; ++i)
+    line.emplace_back(Kernel::Point_3(.001 * i, .002 * i, -.003 * i), Kernel::Vector_3(2, -1, 0));
+  return {{"a lattice", lattice(30)},
+          {"nothing", {}},
+          {"a point", repeated(1)},
+          {"equal points", repeated(700)},
+          {"two points for each rank", make_cloud("cube", 2 * ranks)},
+          {"a house", house},
+          {"a leaf for each rank", make_cloud("cube", 60 * ranks)},
+          {"duplicates in order", joined(cube, cube)},
+          {"duplicates anywhere", twice},
+          {"close twins", joined(cube, moved(cube, 1e-9, 0, 0))},
+          {"a wall", wall(3000, 30)},
+          {"a strip", wall(2000, 3000)},
+          {"a line", line},
+          {"two places", joined(cube, moved(cube, 900, -400, 200))},
+          {"a far point", joined(cube, moved(repeated(1), 30000, 0, 0))},
+          {"a huge offset", moved(cube, 4e6, -5e6, 300)},
+          {"bad points on one rank", spoiled(cube, cube.size() / ranks)},
+          {"nothing but bad points", spoiled(cube, cube.size())},
+          {"fewer than a shape needs", make_cloud("cube", 20)}};
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BORDER_CLOUDS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A second check of the guarantees of the manual. It shares nothing with is_valid_result(): it sees the caller's points
-// and the public interface of a result, computes with 113 bits, and has no tolerance.
+// A second check of the guarantees of the manual, but for connectivity. It shares nothing with is_valid_result(): it sees
+// the caller's points and the public interface of a result, computes with 113 bits, and has no tolerance.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_GUARANTEES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_GUARANTEES_H
@@ -11,7 +11,7 @@
 
 #include <cfloat>
 #include <map>
-#include <numeric>
+#include <set>
 
 namespace guarantees {
 
@@ -61,18 +61,10 @@ class Checker {
 public:
   Checker(const Cloud& cloud, Given given, const Shapes& shapes) : cloud_(cloud), given_(given), shapes_(shapes)
   {
-    for(std::size_t i = 0; i < cloud.size(); ++i)
-      if(is_usable(i))
-        usable_.push_back(i);
-    check_partition();
-    check_sizes();
+    check_points();
     check_planes();
-    check_relations();
     check_orthogonality();
     check_given_directions();
-    check_fidelity();
-    check_connectivity();
-    check_statistics();
   }
 
   const std::vector<std::string>& violations() const { return violations_; }
@@ -106,48 +98,57 @@ private:
   }
 
   // Each point has a shape or none, and shapes list their points in the order of the caller.
-  void check_partition()
+  void check_points()
   {
-    expect(shapes_.number_of_points() == cloud_.size(), "partition: number of points", shapes_.number_of_points());
-    std::vector<std::size_t> next(shapes_.number_of_shapes(), 0);
-    std::size_t usable = 0;
+    const CGAL::Tandem::Statistics& t = shapes_.statistics();
+    const Real least_cosine = cosine(shapes_.parameters().maximum_angle);
+    std::vector<std::size_t> size(shapes_.number_of_shapes(), 0);
+    std::size_t usable = 0, assigned = 0, coordinates = 0;
     for(std::size_t i = 0; i < cloud_.size(); ++i) {
       const int s = shapes_.shape_index(i);
+      const bool is_good = is_usable(i);
+      usable += is_good;
+      coordinates += !has_finite_values(cloud_[i].first);
+      assigned += s >= 0;
       expect(s == -1 || shape_of(i) == s, "partition: no shape of this index has point", i);
-      const bool is_usable = usable < usable_.size() && usable_[usable] == i;
-      usable += is_usable;
-      expect(s == -1 || is_usable, "bad data: a shape has point", i);
+      expect(s == -1 || is_good, "bad data: a shape has point", i);
       if(shape_of(i) < 0)
         continue;
       const auto points = shapes_.points(std::size_t(s));
-      expect(next[s] < points.size() && points[next[s]] == i, "partition: not in the list of its shape is point", i);
-      ++next[s];
+      expect(size[s] < points.size() && points[size[s]] == i, "partition: not in the list of its shape is point", i);
+      ++size[s];
+      check_fidelity(i, least_cosine);
     }
-    for(std::size_t s = 0; s < next.size(); ++s)
-      expect(next[s] == shapes_.points(s).size(), "partition: other points are in the list of shape", s);
-  }
-
-  void check_sizes()
-  {
-    std::vector<std::size_t> size(shapes_.number_of_shapes(), 0);
-    for(std::size_t i = 0; i < cloud_.size(); ++i)
-      if(shape_of(i) >= 0)
-        ++size[shape_of(i)];
-    for(std::size_t s = 0; s < size.size(); ++s)
+    for(std::size_t s = 0; s < size.size(); ++s) {
+      expect(size[s] == shapes_.points(s).size(), "partition: other points are in the list of shape", s);
       expect(size[s] >= shapes_.parameters().minimum_region_size, "size: too small is shape", s);
+    }
+    const std::size_t far = t.number_of_far_points;
+    expect(shapes_.number_of_points() == cloud_.size(), "partition: number of points", shapes_.number_of_points());
+    expect(t.number_of_points == cloud_.size(), "statistics: points", t.number_of_points);
+    expect(t.number_of_assigned_points == assigned, "statistics: assigned points", t.number_of_assigned_points);
+    expect(20 * far <= usable, "statistics: far points", far);
+    expect(t.free_points.total() + far + assigned == usable, "statistics: free points", t.free_points.total());
+    expect(t.number_of_shapes == size.size(), "statistics: shapes", t.number_of_shapes);
+    expect(t.number_of_ignored_coordinates == coordinates, "bad data: points that are not finite",
+           t.number_of_ignored_coordinates);
+    expect(t.number_of_ignored_points() - far == cloud_.size() - usable, "bad data: ignored points",
+           t.number_of_ignored_points());
   }
 
-  // Unit normals as far as doubles go.
-  void check_planes()
+  // Distances and angles are compared by their squares.
+  void check_fidelity(std::size_t i, Real least_cosine)
   {
-    for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s) {
-      const Real excess = dot(normal_of(s), normal_of(s)) - 1;
-      expect(excess < Real(2e-15) && -excess < Real(2e-15), "exact relations: no unit normal has shape", s);
-      const auto& c = shapes_.coefficients(s);
-      const auto& plane = shapes_.plane(s);
-      expect(plane.a() == c[0] && plane.b() == c[1] && plane.c() == c[2] && plane.d() == c[3],
-             "exact relations: another plane in the kernel has shape", s);
-    }
+    const std::size_t s = std::size_t(shape_of(i));
+    const Vector normal = normal_of(s);
+    const Vector of_point =
+      to_vector(given_ == Given::normals ? cloud_[i].second : Kernel::Vector_3(shapes_.estimated_normal(i)));
+    const Real squared_length = dot(normal, normal), epsilon = Real(shapes_.parameters().maximum_distance);
+    const Real distance = dot(normal, to_vector(cloud_[i].first)) + Real(shapes_.coefficients(s)[3]);
+    expect(distance * distance <= epsilon * epsilon * squared_length, "fidelity: too far from its plane is point", i);
+    const Real aligned = dot(normal, of_point);
+    const Real least = least_cosine * least_cosine * squared_length * dot(of_point, of_point);
+    expect(aligned * aligned >= least && least > 0, "fidelity: too oblique is the normal of point", i);
   }
 
   bool has_same_bits(std::size_t s, std::size_t t, std::size_t coefficients) const
@@ -155,11 +156,16 @@ private:
     return std::memcmp(&shapes_.coefficients(s), &shapes_.coefficients(t), coefficients * sizeof(double)) == 0;
   }
 
-  // The shapes of a group are compared with its first one.
-  void check_relations()
+  // Unit normals as far as doubles go. The shapes of a group are compared with its first one.
+  void check_planes()
   {
     std::map<std::size_t, std::size_t> direction, plane;
     for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s) {
+      const Real excess = dot(normal_of(s), normal_of(s)) - 1;
+      expect(excess < Real(2e-15) && -excess < Real(2e-15), "exact relations: no unit normal has shape", s);
+      const auto& c = shapes_.coefficients(s);
+      expect(shapes_.plane(s) == Kernel::Plane_3(c[0], c[1], c[2], c[3]),
+             "exact relations: another plane in the kernel has shape", s);
       const std::size_t r = direction.emplace(shapes_.parallel_group(s), s).first->second;
       const std::size_t p = plane.emplace(shapes_.coplanar_group(s), s).first->second;
       expect(has_same_bits(s, r, 3), "exact relations: not parallel to its group is shape", s);
@@ -179,18 +185,16 @@ private:
     const auto& pairs = shapes_.orthogonal_groups();
     for(std::size_t i = 1; i < pairs.size(); ++i)
       expect(pairs[i - 1] < pairs[i], "exact relations: not sorted is the orthogonal pair", i);
-    std::size_t found = 0;
-    std::map<std::pair<std::size_t, std::size_t>, bool> groups;
+    std::set<std::pair<std::size_t, std::size_t>> found;
     for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
-      for(std::size_t t = 0; t < shapes_.number_of_shapes(); ++t) {
-        const std::pair<std::size_t, std::size_t> pair(shapes_.parallel_group(s), shapes_.parallel_group(t));
-        if(pair.first >= pair.second || !groups.emplace(pair, true).second || !shapes_.are_orthogonal(s, t))
-          continue;
-        ++found;
-        const Real product = dot(normal_of(s), normal_of(t));
-        expect(product <= Real(1e-15) && -product <= Real(1e-15), "exact relations: not orthogonal to all is shape", s);
-      }
-    expect(found == pairs.size(), "exact relations: orthogonal groups of shapes are", found);
+      for(std::size_t t = 0; t < shapes_.number_of_shapes(); ++t)
+        if(shapes_.parallel_group(s) < shapes_.parallel_group(t) && shapes_.are_orthogonal(s, t)) {
+          found.emplace(shapes_.parallel_group(s), shapes_.parallel_group(t));
+          const Real product = dot(normal_of(s), normal_of(t));
+          expect(product <= Real(1e-15) && -product <= Real(1e-15), "exact relations: not orthogonal to all is shape",
+                 s);
+        }
+    expect(found.size() == pairs.size(), "exact relations: orthogonal groups of shapes are", found.size());
   }
 
   // Those of a fixed direction are parallel to it, as far as doubles go. Those of a symmetry group are compared with its
@@ -218,104 +222,9 @@ private:
     }
   }
 
-  void check_fidelity()
-  {
-    const Real least_cosine = cosine(shapes_.parameters().maximum_angle);
-    for(std::size_t i : usable_)
-      if(shape_of(i) >= 0)
-        check_point(i, least_cosine);
-  }
-
-  // Distances and angles are compared by their squares.
-  void check_point(std::size_t i, Real least_cosine)
-  {
-    const std::size_t s = std::size_t(shape_of(i));
-    const Vector normal = normal_of(s);
-    const Vector of_point =
-      to_vector(given_ == Given::normals ? cloud_[i].second : Kernel::Vector_3(shapes_.estimated_normal(i)));
-    const Real squared_length = dot(normal, normal), epsilon = Real(shapes_.parameters().maximum_distance);
-    const Real distance = dot(normal, to_vector(cloud_[i].first)) + Real(shapes_.coefficients(s)[3]);
-    expect(distance * distance <= epsilon * epsilon * squared_length, "fidelity: too far from its plane is point", i);
-    const Real aligned = dot(normal, of_point);
-    const Real least = least_cosine * least_cosine * squared_length * dot(of_point, of_point);
-    expect(aligned * aligned >= least && least > 0, "fidelity: too oblique is the normal of point", i);
-  }
-
-  // The neighbors of a point that the package may have found. It measures distances on its grid, where each coordinate
-  // is off by half a step, and chooses between equal ones: this takes all that are possible, so it proves less.
-  std::vector<std::size_t> possible_neighbors(std::size_t i) const
-  {
-    std::vector<std::pair<double, std::size_t>> others;
-    for(std::size_t j : usable_) {
-      const Kernel::Vector_3 v = cloud_[j].first - cloud_[i].first;
-      if(j != i)
-        others.emplace_back(std::sqrt(v.squared_length()), j);
-    }
-    const std::size_t k = (std::min)(shapes_.parameters().k_neighbors, others.size());
-    std::vector<std::size_t> result = {i};
-    if(k == 0)
-      return result;
-    std::nth_element(others.begin(), others.begin() + std::ptrdiff_t(k - 1), others.end());
-    const double reach = others[k - 1].first * (1 + 1e-12) + 3.5 * shapes_.statistics().grid_step;
-    for(const auto& other : others)
-      if(other.first <= reach)
-        result.push_back(other.second);
-    return result;
-  }
-
-  // Points of one shape are connected if they are neighbors of one point, or one of the other. The graph of surfels is
-  // not made again here: is_valid_result() has it, and test_surfels tests them.
-  void check_connectivity()
-  {
-    if(shapes_.parameters().surfel_size > 0)
-      return;
-    std::vector<std::size_t> parent(cloud_.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    const auto root = [&](std::size_t i) {
-      while(parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-      return i;
-    };
-    for(std::size_t i : usable_) {
-      std::map<int, std::size_t> first; // of the shape among these neighbors
-      for(std::size_t j : possible_neighbors(i))
-        if(shape_of(j) >= 0)
-          parent[root(j)] = root(first.emplace(shape_of(j), j).first->second);
-    }
-    std::vector<std::size_t> component(shapes_.number_of_shapes(), cloud_.size());
-    for(std::size_t i : usable_) {
-      if(shape_of(i) < 0)
-        continue;
-      std::size_t& c = component[shape_of(i)];
-      c = c == cloud_.size() ? root(i) : c;
-      expect(c == root(i), "connectivity: apart from its shape is point", i);
-    }
-  }
-
-  void check_statistics()
-  {
-    const CGAL::Tandem::Statistics& t = shapes_.statistics();
-    std::size_t assigned = 0, coordinates = 0;
-    for(std::size_t i = 0; i < cloud_.size(); ++i) {
-      assigned += shapes_.shape_index(i) >= 0;
-      coordinates += !has_finite_values(cloud_[i].first);
-    }
-    expect(t.number_of_points == cloud_.size(), "statistics: points", t.number_of_points);
-    expect(t.number_of_assigned_points == assigned, "statistics: assigned points", t.number_of_assigned_points);
-    expect(20 * t.number_of_far_points <= usable_.size(), "statistics: far points", t.number_of_far_points);
-    expect(t.free_points.total() + t.number_of_far_points + assigned == usable_.size(), "statistics: free points",
-           t.free_points.total());
-    expect(t.number_of_shapes == shapes_.number_of_shapes(), "statistics: shapes", t.number_of_shapes);
-    expect(t.number_of_ignored_coordinates == coordinates, "bad data: points that are not finite",
-           t.number_of_ignored_coordinates);
-    expect(t.number_of_ignored_points() - t.number_of_far_points == cloud_.size() - usable_.size(),
-           "bad data: ignored points", t.number_of_ignored_points());
-  }
-
   const Cloud& cloud_;
   Given given_;
   const Shapes& shapes_;
-  std::vector<std::size_t> usable_; // points
   std::vector<std::string> violations_;
 };
 

@@ -10,13 +10,13 @@
 #include "count_links.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
-#include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/result/measure_planes.h>
 #include <CGAL/Tandem/internal/result/measure_shapes.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -32,41 +32,16 @@ namespace internal {
 // Sums over the points of a shape, relative to the centroid that is to be checked, in steps of the grid.
 struct Plane_sums {
   double count = 0, squares = 0; // of distances to the plane
-  std::array<double, 3> sum = {0, 0, 0};
-  std::array<double, 6> product = {0, 0, 0, 0, 0, 0};
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
 
   void add(const Vector& p, const Plane_uncertainty& u, double distance, double step)
   {
-    const double v[3] = {(p.x - u.centroid[0]) / step, (p.y - u.centroid[1]) / step, (p.z - u.centroid[2]) / step};
+    const Eigen::Vector3d v = Eigen::Vector3d(p.x - u.centroid[0], p.y - u.centroid[1], p.z - u.centroid[2]) / step;
     ++count;
     squares += (distance / step) * (distance / step);
-    for(int i = 0, k = 0; i < 3; ++i) {
-      sum[i] += v[i];
-      for(int j = i; j < 3; ++j, ++k)
-        product[k] += v[i] * v[j];
-    }
-  }
-
-  // About the centroid of the points.
-  Symmetric_matrix scatter() const
-  {
-    const auto about = [&](int k, int i, int j) { return product[k] - sum[i] * sum[j] / count; };
-    return {about(0, 0, 0), about(1, 0, 1), about(2, 0, 2), about(3, 1, 1), about(4, 1, 2), about(5, 2, 2)};
-  }
-};
-
-// A symmetric matrix of two axes of the plane; its eigenvectors are (cosine, sine) and (-sine, cosine).
-struct Matrix_in_plane {
-  double larger, smaller, cosine, sine;
-
-  Matrix_in_plane(const Symmetric_matrix& m, const Plane_axes& axes)
-  {
-    const double aa = quadratic_form(m, axes.a), bb = quadratic_form(m, axes.b), ab = dot(axes.a, m * axes.b);
-    const double half = std::hypot((aa - bb) / 2, ab), turn = std::atan2(2 * ab, aa - bb) / 2;
-    larger = (aa + bb) / 2 + half;
-    smaller = (aa + bb) / 2 - half;
-    cosine = std::cos(turn);
-    sine = std::sin(turn);
+    sum += v;
+    product += v * v.transpose();
   }
 };
 
@@ -81,62 +56,44 @@ struct Uncertainty_check {
   // What is wrong, or null.
   const char* wrong_part() const
   {
-    const double n = sums.count;
-    for(const double s : sums.sum)
-      if(!(std::fabs(s / n) <= change))
-        return "centroid";
+    const double n = sums.count, noise = found.noise / step;
+    if(!(sums.sum.cwiseAbs().maxCoeff() <= change * n))
+      return "centroid";
     const bool has_residual = n > 3;
     const double expected = has_residual ? std::sqrt(sums.squares / (n - 3)) : maximum_distance / step;
     const double margin = 1e-9 * expected + (has_residual ? change * std::sqrt(n / (n - 3)) : 0);
-    if(!(found.noise >= 0 && std::fabs(noise() - expected) <= margin))
+    if(!(found.noise >= 0 && std::fabs(noise - expected) <= margin))
       return "noise";
-    if(!(std::fabs(found.offset_deviation / step - noise() / std::sqrt(n)) <= 1e-9 * noise()))
+    if(!(std::fabs(found.offset_deviation / step - noise / std::sqrt(n)) <= 1e-9 * noise))
       return "offset_deviation";
-    return is_covariance_right() ? nullptr : "normal_covariance";
+    return is_covariance_right(noise * noise) ? nullptr : "normal_covariance";
   }
 
 private:
-  double noise() const { return found.noise / step; }
-
-  // Along an axis, with the spread of the points along it.
-  double variance(double spread) const
+  // By the spread along two axes of the plane. The less the points spread beside their noise, the more the grid counts;
+  // where that is too much, any is right.
+  bool is_covariance_right(double noise2) const
   {
-    const double noise2 = noise() * noise(), width = spread - sums.count * noise2;
-    return width > 0 ? (std::min)(noise2 * spread / (width * width), 1.) : 1;
-  }
-
-  // What the grid may change of the spread along an axis, or of the product of two.
-  double change_of(double spread, double other) const
-  {
+    using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
     const double n = sums.count;
-    return n * change * (std::sqrt(spread / n) + std::sqrt(other / n) + change) + 1e-12 * (spread + other);
-  }
-
-  double change_of_variance(double spread) const
-  {
-    const double by = change_of(spread, spread);
-    return variance((std::max)(spread - by, 0.)) - variance(spread + by);
-  }
-
-  // The more uncertain a plane is, the more the grid counts: by the spreads, and by the directions of both axes.
-  bool is_covariance_right() const
-  {
-    const Plane_axes axes({plane[0], plane[1], plane[2]});
-    const Matrix_in_plane spread(sums.scatter(), axes);
-    const double wide = spread.larger, narrow = (std::max)(spread.smaller, 0.);
-    const double least = variance(wide), most = variance(narrow);
-    const double turn = (std::min)(change_of(narrow, wide) / (wide - narrow), 1.); // 1 if both are 0
-    const double margin =
-      1e-9 * most + 2 * ((most - least) * turn + (std::max)(change_of_variance(narrow), change_of_variance(wide)));
-    std::array<double, 6> expected = {0, 0, 0, 0, 0, 0};
-    add_outer(least, spread.cosine * axes.a + spread.sine * axes.b, expected);
-    add_outer(most, spread.cosine * axes.b - spread.sine * axes.a, expected);
+    const Eigen::Vector3d normal(plane[0], plane[1], plane[2]);
+    const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    const Solver spread(onto * (sums.product - sums.sum * sums.sum.transpose() / n) * onto);
+    const double narrow = spread.eigenvalues()[1];
+    if(narrow < 4 * n * noise2 || narrow < 400 * n * change * change)
+      return true;
+    Eigen::Matrix3d expected = Eigen::Matrix3d::Zero(), covariance;
+    for(int axis : {1, 2}) {
+      const double along = spread.eigenvalues()[axis], width = along - n * noise2;
+      const Eigen::Vector3d v = spread.eigenvectors().col(axis);
+      expected += (std::min)(noise2 * along / (width * width), 1.) * v * v.transpose();
+    }
     const auto& c = found.normal_covariance;
-    for(std::size_t k = 0; k < c.size(); ++k)
-      if(!(std::fabs(c[k] - expected[k]) <= margin))
-        return false;
-    const double angle = std::sqrt((std::max)(Matrix_in_plane({c[0], c[1], c[2], c[3], c[4], c[5]}, axes).larger, 0.));
-    return std::fabs(found.angle_deg * (3.14159265358979323846 / 180) - angle) <= 1e-6 * angle;
+    covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    const double largest = Solver(expected).eigenvalues()[2];
+    const double angle = std::sqrt((std::max)(Solver(covariance).eigenvalues()[2], 0.));
+    return (covariance - expected).cwiseAbs().maxCoeff() <= largest * (1e-9 + 20 * change / std::sqrt(narrow / n)) &&
+           std::fabs(found.angle_deg * (3.14159265358979323846 / 180) - angle) <= 1e-6 * angle;
   }
 };
 
@@ -262,98 +219,41 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   });
 }
 
-// Surfels and points get the estimated normals of a result. In a result, all points of a surfel have one.
+// The links are counted again in the neighbor graph, unless shapes were left out.
 template <class Backend>
-void take_normals(const Ranks<Backend>& ranks, const std::vector<std::uint32_t>& normal, Sorted_cloud<Backend>& cloud)
+std::string links_violation(Backend& backend, Import& in, const Shapes_data& data)
 {
-  const Surfels_view surfels = cloud.surfels();
-  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p) {
-    const std::uint32_t n = normal[cloud.order.data()[p]];
-    cloud.point.data()[surfels.of_point(p)].normal = n;
-    if(cloud.has_surfels())
-      cloud.all_points.data()[p].normal = n;
-  }
-  ranks.refresh(cloud.point.data(), Rings::inner);
-}
-
-// The reasons why points have no shape. label: by surfel, with ghosts.
-template <class Backend>
-Free_points count_free_points(Labeled_cloud<Backend>& points, const Import& in, const Labeled_points& result,
-                              const std::vector<std::uint32_t>& label)
-{
-  Sorted_cloud<Backend>& cloud = points.cloud;
-  if(!in.has_normals) // on all ranks, also where one has no points
-    take_normals(points.ranks, result.normal, cloud);
-  std::vector<std::uint32_t> point_label;
-  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p)
-    point_label.push_back(std::uint32_t(result.shape[cloud.order.data()[p]])); // -1 becomes free_label
-  static_assert(free_label == no_index && free_label == std::uint32_t(-1), "a free surfel has no shape");
-  const Final_shapes shapes = {{cloud.surfels(), label.data(), point_label.data()}, label.data()};
-  return explain_free_points(points, shapes, result.planes, in.grid,
-                             make_options(in, result.parameters).growth.tolerance);
-}
-
-// What is counted in the neighbor graph.
-struct Graph_counts {
-  Score_counts score; // links only
-  Free_points free_points;
-
-  template <class Backend>
-  Graph_counts(Backend& backend, Import& in, const Labeled_points& result)
-  {
-    std::size_t mixed = result.shapes();
-    Labeled_cloud<Backend> points(backend);
-    const std::vector<std::uint32_t> label = label_graph(points, in, result, mixed);
-    const Cloud_view view = points.cloud.view();
-    for(std::uint32_t i = 0; i < view.size; ++i)
-      count_links(view, i, label.data(), score);
-    free_points = count_free_points(points, in, result, label);
-  }
-};
-
-// The links, and the reasons of points without a shape, are counted again in the neighbor graph, unless shapes were
-// left out. A detection that was cancelled before it had shapes may have had no graph, and no reasons.
-inline std::string graph_violation(const Shapes_data& data, const Graph_counts& counts)
-{
-  const Score score(data.parameters);
-  const double links = to_points({0, score.links(counts.score.links, counts.score.free_links), 0, 0, 0}).links;
-  const Statistics& t = data.statistics;
-  const Free_points& found = t.free_points;
-  if(found.unselected > 0)
+  if(data.statistics.free_points.unselected > 0)
     return {};
-  Free_points expected = counts.free_points;
-  if(t.number_of_shapes == 0 && expected.total() < data.parameters.minimum_region_size) {
-    expected = Free_points();
-    expected.in_small_regions = counts.free_points.total();
+  Labeled_points labeled = {data.parameters, data.coefficients, {}, {}};
+  for(std::size_t i = 0; i < in.size(); ++i) {
+    labeled.shape.push_back(data.shape_of[in.item_of(i)]);
+    if(!in.has_normals)
+      labeled.normal.push_back(data.normal[in.item_of(i)]);
   }
-  const std::string wrong_links = first_violation({{"score.links", t.score.links, links, 0}});
-  if(!wrong_links.empty() || (t.is_cancelled && t.number_of_shapes == 0))
-    return wrong_links;
-  return first_violation({
-    count_of("free_points.without_normal", found.without_normal, expected.without_normal),
-    count_of("free_points.misfit", found.misfit, expected.misfit),
-    count_of("free_points.without_neighbors", found.without_neighbors, expected.without_neighbors),
-    count_of("free_points.in_small_regions", found.in_small_regions, expected.in_small_regions),
-    count_of("free_points.clutter", found.clutter, expected.clutter),
-  });
+  std::size_t mixed = labeled.shapes();
+  Labeled_cloud<Backend> points(backend);
+  const std::vector<std::uint32_t> label = label_graph(points, in, labeled, mixed);
+  const Cloud_view view = points.cloud.view();
+  Score_counts counts;
+  for(std::uint32_t i = 0; i < view.size; ++i)
+    count_links(view, i, label.data(), counts);
+  const double links = to_points({0, Score(data.parameters).links(counts.links, counts.free_links), 0, 0, 0}).links;
+  return first_violation({{"score.links", data.statistics.score.links, links, 0}});
 }
 
 // Seconds, rounds and bytes cannot be measured again.
 inline std::string cost_violation(const Statistics& t, const Import& in)
 {
   const auto& [normals, sort, neighbors, growth, regularity, finish, total] = t.times;
-  double stages = 0;
-  for(const double seconds : {normals, sort, neighbors, growth, regularity, finish}) {
-    if(!(seconds >= 0 && std::isfinite(seconds)))
-      return "a stage takes " + to_text(seconds) + " seconds";
-    stages += seconds;
-  }
-  if(!(std::fabs(total - stages) <= 1e-9 * stages))
-    return "the stages take " + to_text(stages) + " seconds, but all of it " + to_text(total);
+  const double stages = normals + sort + neighbors + growth + regularity + finish;
   const bool has_shapes = t.number_of_shapes > 0;
+  const std::size_t points = std::size_t(in.total.points), other_bytes = std::size_t(1) << 20;
+  if(!((std::min)({normals, sort, neighbors, growth, regularity, finish}) >= 0 &&
+       std::fabs(total - stages) <= 1e-9 * stages))
+    return "the stages take " + to_text(stages) + " seconds, but all of it " + to_text(total);
   if(t.number_of_rounds < std::size_t(has_shapes) || t.number_of_rounds > std::size_t(tuning::loop::maximum_rounds))
     return "there are " + to_text(t.number_of_rounds) + " rounds";
-  const std::size_t points = std::size_t(in.total.points), other_bytes = std::size_t(1) << 20;
   if(t.peak_bytes > 1024 * points + other_bytes || (has_shapes && t.peak_bytes < sizeof(Grid_point) * points))
     return "the tables of " + to_text(points) + " points had " + to_text(t.peak_bytes) + " bytes";
   return t.backend.empty() ? "there is no back end" : "";
@@ -376,15 +276,7 @@ std::string measured_violation(const PointRange& points, const Planar_shapes_3<G
                                         uncertainty_violation(data, in.grid, sums.planes)})
       if(!violation.empty())
         return violation;
-    if(in.total.points == 0)
-      return std::string();
-    Labeled_points labeled = {data.parameters, data.coefficients, {}, {}};
-    for(std::size_t i = 0; i < in.size(); ++i) {
-      labeled.shape.push_back(data.shape_of[in.item_of(i)]);
-      if(!in.has_normals)
-        labeled.normal.push_back(data.normal[in.item_of(i)]);
-    }
-    return graph_violation(data, Graph_counts(backend, in, labeled));
+    return in.total.points == 0 ? std::string() : links_violation(backend, in, data);
   });
 }
 

@@ -8,7 +8,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MPI_SUPPORT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MPI_SUPPORT_H
 
+#include "border_clouds.h"
 #include "random_case.h"
+#include "same_result.h"
 
 #include <CGAL/Shape_regularization_tandem/mpi.h>
 
@@ -37,16 +39,10 @@ extern template Shapes_data export_shapes(Tbb_ranks&, const Import&, const Param
 
 using Ranks = boost::mpi::communicator;
 using CGAL::Tandem::Mpi_tag;
-using Words = std::vector<std::uint64_t>;
 
 // Which rank has which points.
-enum class Deal { blocks, random, reversed, cyclic, last, odd };
-
-inline std::string to_string(Deal deal)
-{
-  const char* const names[] = {"blocks", "random", "reversed", "cyclic", "all on the last rank", "on odd ranks"};
-  return names[int(deal)];
-}
+enum class Deal { random, blocks, reversed, cyclic, last, odd };
+constexpr std::size_t number_of_deals = 6;
 
 // A cloud, and which of its points each rank has.
 struct Dealt_case : Random_case {
@@ -60,7 +56,7 @@ struct Dealt_case : Random_case {
     std::vector<std::vector<std::size_t>> list(size);
     for(std::size_t i = 0; i < n; ++i) {
       const std::size_t block = i * size / n, any = random.bits() % size;
-      const std::size_t rank[] = {block, any, block, i % size, size - 1, (std::min)(block | 1, size - 1)}; // by deal
+      const std::size_t rank[] = {any, block, block, i % size, size - 1, (std::min)(block | 1, size - 1)}; // by deal
       list[rank[int(deal)]].push_back(deal == Deal::reversed ? n - 1 - i : i);
     }
     return list;
@@ -79,7 +75,7 @@ struct Dealt_case : Random_case {
 
   std::string text(const Ranks& ranks) const
   {
-    return name + (given == Given::normals ? "" : ", own normals") + ", " + to_string(deal) + ", " +
+    return name + (given == Given::normals ? "" : ", own normals") + ", deal " + std::to_string(int(deal)) + ", " +
            std::to_string(ranks.size()) + " ranks";
   }
 
@@ -93,80 +89,64 @@ private:
   }
 };
 
-inline std::uint64_t to_word(double x)
+inline Parameters with_cells(Parameters parameters, std::size_t cell_size)
 {
-  std::uint64_t word;
-  std::memcpy(&word, &x, sizeof word);
-  return word;
+  parameters.cell_size = cell_size;
+  return parameters;
 }
 
-template <class List>
-void add_sized(Words& words, const List& list)
+// Every scene, with and without normals. Options change from scene to scene, and the points are elsewhere for each number
+// of ranks.
+inline std::vector<Dealt_case> scene_cases(const Ranks& ranks, std::size_t stride)
 {
-  words.push_back(list.size());
-  for(const auto& value : list)
-    words.push_back(std::uint64_t(std::int64_t(value)));
-}
-
-inline void add_parameters(Words& words, const Parameters& p)
-{
-  for(const double x : {p.maximum_distance, p.maximum_angle, p.angle_tolerance, p.maximum_offset, p.simplicity,
-                        p.regularity, p.surfel_size})
-    words.push_back(to_word(x));
-  words.insert(words.end(), {p.minimum_region_size, p.k_neighbors, p.cell_size});
-}
-
-// All but times, work, memory, and the name of the back end.
-inline void add_statistics(Words& words, const CGAL::Tandem::Statistics& s)
-{
-  words.insert(words.end(),
-               {s.number_of_points, s.number_of_ignored_coordinates, s.number_of_ignored_normals,
-                s.number_of_ignored_tolerances, s.number_of_far_points, s.number_of_assigned_points, s.number_of_shapes,
-                s.number_of_directions, s.number_of_planes, s.number_of_orthogonal_pairs, s.degrees_of_freedom,
-                s.number_of_rounds, s.is_grid_coarse, s.has_estimated_normals, s.is_cancelled});
-  const CGAL::Tandem::Free_points& f = s.free_points;
-  words.insert(words.end(),
-               {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected});
-  for(const double x : {s.coverage, s.mean_distance, s.complexity, s.grid_step, s.score.fit, s.score.links,
-                        s.score.size, s.score.price, s.score.freedom})
-    words.push_back(to_word(x));
-}
-
-// What a result says of the shapes. It is the same on all ranks.
-inline Words common_words(const Shapes& shapes)
-{
-  const auto& data = shapes.data();
-  Words words;
-  add_parameters(words, data.parameters);
-  add_statistics(words, data.statistics);
-  words.push_back(data.coefficients.size());
-  for(const auto& c : data.coefficients)
-    for(const double x : c)
-      words.push_back(to_word(x));
-  add_sized(words, data.parallel_group);
-  add_sized(words, data.coplanar_group);
-  add_sized(words, data.fixed_direction);
-  add_sized(words, data.symmetry_group);
-  add_sized(words, data.is_flipped);
-  for(const auto& u : data.uncertainty) {
-    for(const double x : {u.centroid[0], u.centroid[1], u.centroid[2], u.noise, u.offset_deviation, u.angle_deg})
-      words.push_back(to_word(x));
-    for(const double x : u.normal_covariance)
-      words.push_back(to_word(x));
+  std::vector<Dealt_case> cases;
+  const std::vector<std::string>& names = scenes::scene_names();
+  for(std::size_t i = 0; i < 2 * names.size(); i += stride) {
+    const std::string& name = names[i / 2];
+    const scenes::Scene scene = scenes::make_scene(name, scene_options(1500 + 50 * i, .001, .1));
+    Parameters p = i % 5 == 0 ? Parameters() : make_parameters(.006 * scene.diagonal, 25);
+    p.cell_size = std::size_t(64) << i % 3;
+    p.k_neighbors = 8 + i % 9;
+    if(i % 4 >= 2)
+      p.fixed_directions = {{0, 0, 1}, {1, .1, 0}};
+    p.regularize_axis_symmetry = i % 7 == 0;
+    cases.push_back({{name, to_cloud(scene), p, i % 2 == 0 ? Given::normals : Given::nothing},
+                     Deal((i + std::size_t(ranks.size())) % number_of_deals)});
   }
-  words.push_back(data.orthogonal_groups.size());
-  for(const auto& pair : data.orthogonal_groups)
-    words.push_back(std::uint64_t(pair.first) << 32 | std::uint64_t(pair.second));
-  return words;
+  return cases;
 }
 
-// What it says of each point: its label and, if that was estimated, its normal.
+// With so many points that of the largest shapes only a sample is counted, or with fewer.
+inline std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t number, std::size_t more_points = 15000)
+{
+  std::vector<Dealt_case> cases;
+  for(std::uint64_t s = seed; s < seed + number; ++s)
+    cases.push_back({make_random_case(s, more_points), Deal(s % number_of_deals)});
+  return cases;
+}
+
+// Clouds at the border of what there can be, in cells of few points, dealt in all ways in turn.
+inline std::vector<Dealt_case> border_cases(const Ranks& ranks, std::size_t stride)
+{
+  const auto clouds = border_clouds(std::size_t(ranks.size()));
+  std::vector<Dealt_case> cases;
+  for(std::size_t i = 0; i < 2 * clouds.size(); i += stride) {
+    const auto& [name, cloud] = clouds[i / 2];
+    Parameters parameters = with_cells(make_parameters(.01, 24), i % 5 == 4 ? 8192 : 64);
+    parameters.k_neighbors = 10;
+    cases.push_back({{name, cloud, parameters, i % 2 == 0 ? Given::normals : Given::nothing},
+                     Deal((i / 2 + i % 2) % number_of_deals)});
+  }
+  return cases;
+}
+
+// What it says of each point.
 inline Words point_words(const Shapes& shapes)
 {
   Words words;
   for(std::size_t i = 0; i < shapes.number_of_points(); ++i)
-    words.push_back(std::uint64_t(std::uint32_t(shapes.shape_index(i))) << 32 |
-                    (shapes.has_estimated_normals() ? shapes.data().normal[i] : 0));
+    for(const std::uint64_t word : point_bits(shapes, i))
+      words.push_back(word);
   return words;
 }
 
@@ -186,18 +166,27 @@ inline Words gather(const Ranks& ranks, const Words& own, int root)
   return all;
 }
 
+// What the words of all ranks are, if they have the same ones.
+inline Words repeated_on_root(const Ranks& ranks, const Words& words, int root = 0)
+{
+  Words all;
+  for(int r = 0; r < ranks.size() && ranks.rank() == root; ++r)
+    all.insert(all.end(), words.begin(), words.end());
+  return all;
+}
+
 // Each rank lists its own points.
 inline void check_own_points(const Shapes& shapes, std::size_t size, const std::string& name)
 {
   check_equal(shapes.number_of_points(), size, name + ": points of a rank");
-  std::size_t listed = 0, labeled = 0;
+  const auto& labels = shapes.shape_indices();
+  std::size_t listed = 0,
+              labeled = std::size_t(std::count_if(labels.begin(), labels.end(), [](int s) { return s >= 0; }));
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     for(const std::size_t i : shapes.points(s)) {
       ++listed;
       CHECK_AT(i < size && shapes.shape_index(i) == int(s), name + ": point " + std::to_string(i));
     }
-  for(std::size_t i = 0; i < shapes.number_of_points(); ++i)
-    labeled += shapes.shape_index(i) >= 0;
   check_equal(listed, labeled, name + ": points of the shapes of a rank");
 }
 
@@ -205,18 +194,15 @@ inline void check_own_points(const Shapes& shapes, std::size_t size, const std::
 inline void check_same_on_ranks(const Ranks& ranks, const Shapes& own, const Shapes* expected, int root,
                                 const std::string& name)
 {
-  const Words common = gather(ranks, common_words(own), root), points = gather(ranks, point_words(own), root);
+  const Words common = gather(ranks, shape_bits(own), root), points = gather(ranks, point_words(own), root);
   if(ranks.rank() != root)
     return;
-  const Words of_one = common_words(*expected);
-  Words of_all;
-  for(int r = 0; r < ranks.size(); ++r)
-    of_all.insert(of_all.end(), of_one.begin(), of_one.end());
-  long at = first_difference(common, of_all);
+  const Words of_one = shape_bits(*expected);
+  long at = first_difference(common, repeated_on_root(ranks, of_one, root));
   CHECK_AT(at < 0, name + ": the shapes differ, first in word " + std::to_string(at % long(of_one.size())) +
                      " of rank " + std::to_string(at / long(of_one.size())));
   at = first_difference(points, point_words(*expected));
-  CHECK_AT(at < 0, name + ": the points differ, first the one at " + std::to_string(at));
+  CHECK_AT(at < 0, name + ": the points differ, first the one at " + std::to_string(at / 4));
 }
 
 template <class Tag>
@@ -258,7 +244,7 @@ T sum_over(const Ranks& ranks, T own)
   return sum;
 }
 
-// As report(), but of all ranks.
+// The exit code, of all ranks.
 inline int report_on(const Ranks& ranks)
 {
   const int all = sum_over(ranks, failures());

@@ -12,8 +12,9 @@
 // Turned anyhow, with a corner somewhere in the cube [low, high]^3.
 struct Squares {
   std::size_t count, points; // of each
-  double side, low, high;
-  double distance_noise, angle_noise; // standard deviations
+  double side;
+  double distance_noise = 0, angle_noise = 0; // standard deviations
+  double low = 0, high = 6;
 };
 
 inline void add_squares(scenes::Random& random, Cloud& cloud, const Squares& squares)
@@ -46,25 +47,8 @@ inline Cloud make_squares_cloud(const Squares& faces, const Squares& patches)
 
 constexpr std::size_t points_of_patch = 30;
 
-inline Squares make_squares(std::size_t count, std::size_t points, double side)
-{
-  Squares s = {};
-  s.count = count;
-  s.points = points;
-  s.side = side;
-  s.high = 6;
-  return s;
-}
-
-inline Squares make_rough_faces(double noise)
-{
-  Squares s = make_squares(30, 400, 1);
-  s.distance_noise = noise;
-  s.angle_noise = .1;
-  return s;
-}
-
-inline Squares make_patches(std::size_t count) { return make_squares(count, points_of_patch, .3); }
+inline Squares make_rough_faces(double noise) { return {30, 400, 1, noise, .1}; }
+inline Squares make_patches(std::size_t count) { return {count, points_of_patch, .3}; }
 
 inline Cloud make_patches_cloud(std::size_t patches, double face_noise)
 {

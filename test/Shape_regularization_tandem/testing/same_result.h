@@ -27,29 +27,50 @@ std::array<std::uint64_t, 3> bits(const Geometry& g)
   return {bits(g.x()), bits(g.y()), bits(g.z())};
 }
 
-// What a result says about shapes and their relations, as numbers.
-inline std::vector<std::uint64_t> shape_bits(const Shapes& shapes)
+using Words = std::vector<std::uint64_t>;
+
+template <class... Numbers>
+void add_bits(Words& words, Numbers... numbers)
 {
-  std::vector<std::uint64_t> all = {shapes.number_of_shapes(), shapes.number_of_points()};
+  (words.push_back(bits(double(numbers))), ...);
+}
+
+inline void add_parameters(Words& words, const Parameters& p)
+{
+  add_bits(words, p.maximum_distance, p.maximum_angle, p.angle_tolerance, p.maximum_offset, p.simplicity, p.regularity,
+           p.surfel_size, p.minimum_region_size, p.k_neighbors, p.cell_size);
+}
+
+// What a result says about shapes and their relations, as numbers: all but times, memory, and the name of the back end.
+// With many processes it is the same in all of them.
+inline Words shape_bits(const Shapes& shapes)
+{
+  const auto& data = shapes.data();
+  const CGAL::Tandem::Statistics& t = shapes.statistics();
+  Words all;
+  add_parameters(all, data.parameters);
+  add_bits(all, t.number_of_points, t.number_of_ignored_coordinates, t.number_of_ignored_normals,
+           t.number_of_ignored_tolerances, t.number_of_far_points, t.number_of_assigned_points, t.number_of_shapes,
+           t.number_of_directions, t.number_of_planes, t.number_of_orthogonal_pairs, t.degrees_of_freedom,
+           t.number_of_rounds, t.is_grid_coarse, t.has_estimated_normals, t.is_cancelled, t.coverage, t.mean_distance,
+           t.complexity, t.grid_step, t.score.fit, t.score.links, t.score.size, t.score.price, t.score.freedom);
+  const CGAL::Tandem::Free_points& f = t.free_points;
+  add_bits(all, f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const std::size_t last = all.size();
-    all.insert(all.end(), {0, 0, 0, 0, shapes.parallel_group(s), shapes.coplanar_group(s), shapes.is_flipped(s)});
-    std::memcpy(&all[last], &shapes.coefficients(s), 4 * sizeof(double));
-    const CGAL::Tandem::Plane_uncertainty& u = shapes.uncertainty(s);
-    for(const double x : {u.centroid[0], u.centroid[1], u.centroid[2], u.noise, u.offset_deviation, u.angle_deg})
-      all.push_back(bits(x));
+    all.resize(last + 4);
+    std::memcpy(&all[last], &data.coefficients[s], 4 * sizeof(double));
+    add_bits(all, data.parallel_group[s], data.coplanar_group[s], data.is_flipped[s]);
+    const CGAL::Tandem::Plane_uncertainty& u = data.uncertainty[s];
+    add_bits(all, u.centroid[0], u.centroid[1], u.centroid[2], u.noise, u.offset_deviation, u.angle_deg);
     for(const double x : u.normal_covariance)
-      all.push_back(bits(x));
+      add_bits(all, x);
   }
-  for(const auto& pair : shapes.orthogonal_groups())
-    all.insert(all.end(), {std::uint64_t(pair.first), std::uint64_t(pair.second)});
-  const Parameters& p = shapes.parameters();
-  all.insert(all.end(), {bits(p.maximum_distance), bits(p.maximum_offset), p.minimum_region_size,
-                         shapes.statistics().number_of_rounds, bits(shapes.statistics().mean_distance),
-                         bits(shapes.statistics().score.fit), bits(shapes.statistics().score.links),
-                         bits(shapes.statistics().score.freedom)});
-  const CGAL::Tandem::Free_points& f = shapes.statistics().free_points;
-  all.insert(all.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected});
+  for(const auto* groups : {&data.fixed_direction, &data.symmetry_group})
+    for(const auto group : *groups)
+      add_bits(all, group);
+  for(const auto& pair : data.orthogonal_groups)
+    add_bits(all, pair.first, pair.second);
   return all;
 }
 
