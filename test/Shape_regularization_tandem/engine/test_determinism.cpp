@@ -58,13 +58,6 @@ BOOST_AUTO_TEST_CASE(test_scenes)
   options.normals = scenes::Normals::perturbed;
   const scenes::Scene indoor = scenes::make_scene("indoor", options);
   check_runs("indoor", to_cloud(indoor), make_parameters(.002 * indoor.diagonal, 50));
-  // Far points, so that many points share a code of the curve.
-  const scenes::Scene house = scenes::make_scene("house", scene_options(5000, .001, .1));
-  Cloud cloud = to_cloud(house);
-  scenes::Random random(6);
-  for(int i = 0; i < 50; ++i)
-    add(cloud, 9000 * random.direction(), {0, 0, 1});
-  check_runs("far points", cloud, make_parameters(.003 * house.diagonal, 40));
 }
 
 // Each point comes two or three times: equal in all bits, which no order can tell apart, or nearer to its twin than the

@@ -71,24 +71,7 @@ BOOST_AUTO_TEST_CASE(test_leaning_walls)
   CHECK(find(0).orthogonal_groups().empty() && find(.3).orthogonal_groups().size() == 1);
 }
 
-// The score of a result has the weights of its own run.
-BOOST_AUTO_TEST_CASE(test_score)
-{
-  const std::size_t minimum = 100;
-  for(const double weight : {0., .05, .4}) {
-    const Shapes shapes = detect_valid("score", make_leaning_walls(), with(.03, minimum, weight, weight));
-    const CGAL::Tandem::Statistics& s = shapes.statistics();
-    double size = 0;
-    for(std::size_t i = 0; i < shapes.number_of_shapes(); ++i)
-      size += double(shapes.size(i)) * std::log2(double(shapes.size(i)) / double(minimum));
-    const double worth = double(minimum) + double(points_of_wall) / 10;
-    CHECK_AT(std::fabs(s.score.size - weight * size) <= .01 * size, "size " + std::to_string(s.score.size));
-    CHECK_AT(std::fabs(s.score.freedom + weight * worth * double(s.degrees_of_freedom)) <= .02 * worth,
-             "freedom " + std::to_string(s.score.freedom));
-  }
-}
-
-// The same relations for planes that another method has found.
+// The same relations for planes that another method has found. A point of no plane does not matter, wherever it is.
 BOOST_AUTO_TEST_CASE(test_given_planes)
 {
   std::vector<Kernel::Point_3> points;
@@ -97,6 +80,8 @@ BOOST_AUTO_TEST_CASE(test_given_planes)
     index.push_back(int(points.size() / points_of_wall));
     points.push_back(item.first);
   }
+  points.emplace_back(1e9, 0, 0);
+  index.push_back(-1);
   for(const double regularity : {0., .3}) {
     std::vector<Kernel::Plane_3> planes = {{1, 0, 0, 0}, {1, -.0035, 0, -5}, {0, 0, 1, 0}};
     const auto list = np::plane_index_map(CGAL::make_property_map(index)).maximum_angle(8).maximum_distance(.03);

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scenes that reach the limits of tables and of the grid: many small faces in one cell, cells as wide, as full and as small as
-// they may be, stray points far away, faces behind better seeds.
+// they may be, faces behind better seeds.
 
 #include "testing/patches_cloud.h"
-
-#include <CGAL/Shape_regularization_tandem/adapters.h>
-#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
 BOOST_AUTO_TEST_SUITE(test_limits)
 
@@ -30,19 +27,12 @@ BOOST_AUTO_TEST_CASE(test_many_faces)
 {
   Random random(5);
   Cloud cloud;
-  const int faces = 1200, side = 11, points = 40;
-  for(int f = 0; f < faces; ++f) {
-    const Vec n = random.direction();
-    const Vec u = unit(cross(n, Vec{.3, .5, -.7})), v = cross(n, u);
-    const Vec o = {3. * (f % side), 3. * (f / side % side), 3. * (f / side / side)};
-    for(int i = 0; i < points; ++i) {
-      const Vec on_face = add_scaled(add_scaled(o, between(random, -1, 1), u), between(random, -1, 1), v);
-      add(cloud, add_scaled(on_face, between(random, -.01, .01), n), n);
-    }
-  }
-  const Shapes shapes = detect_valid("many faces", cloud, make_parameters(.02, points / 2));
-  CHECK_AT(shapes.number_of_shapes() >= 95 * faces / 100, std::to_string(shapes.number_of_shapes()));
-  CHECK_AT(shapes.statistics().coverage >= .95, std::to_string(shapes.statistics().coverage));
+  Squares faces = make_squares(1200, 40, 2);
+  faces.high = 60;
+  add_squares(random, cloud, faces);
+  const Shapes shapes = detect_valid("many faces", cloud, make_parameters(.02, 20));
+  check(shapes.number_of_shapes() >= 95 * faces.count / 100, "many faces", double(shapes.number_of_shapes()));
+  check(shapes.statistics().coverage >= .95, "many faces: coverage", shapes.statistics().coverage);
 }
 
 // The sums of a cell are largest when it is full and its points are far from its first one.
@@ -60,27 +50,6 @@ BOOST_AUTO_TEST_CASE(test_full_cell)
   }
 }
 
-// A point of no plane does not matter to the planes of the others, wherever it is.
-BOOST_AUTO_TEST_CASE(test_stray_point)
-{
-  Random random(9);
-  std::vector<Kernel::Point_3> points;
-  std::vector<int> plane_of;
-  for(int i = 0; i < 900; ++i) {
-    points.emplace_back(random.uniform(), random.uniform(), i % 3 * .3 + .001 * random.uniform());
-    plane_of.push_back(i % 3);
-  }
-  points.emplace_back(1e9, 0, 0);
-  plane_of.push_back(-1);
-  std::vector<Kernel::Plane_3> planes = {{0, 0, 1, 0}, {0, .01, 1, -.3}, {.01, 0, 1, -.6}};
-  const auto relations = CGAL::Tandem::regularize_planes(
-    planes, points,
-    CGAL::Tandem::parameters::plane_index_map(CGAL::Tandem::Position_index_map(plane_of))
-      .maximum_angle(8)
-      .maximum_offset(.01));
-  check_equal(relations.number_of_parallel_groups(), 1u, "stray point: directions");
-}
-
 // A plane that must have most of the points: it takes rounds until a shape is that large.
 BOOST_AUTO_TEST_CASE(test_large_minimum)
 {
@@ -96,22 +65,12 @@ BOOST_AUTO_TEST_CASE(test_large_minimum)
 // Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.
 BOOST_AUTO_TEST_CASE(test_late_faces)
 {
-  Random random(4);
-  Cloud cloud;
-  for(int i = 0; i < 200000; ++i)
-    add(cloud, {between(random, 0, 100), between(random, 0, 100), between(random, 0, .002)}, {0, 0, 1});
-  const int tiles = 12, side = 7; // tiles of side x side points, tiles x tiles of them
-  const double spacing = .02, pitch = 1.3 * side * spacing;
-  for(int t = 0; t < tiles * tiles; ++t) {
-    const double x0 = 40 + pitch * (t / tiles), y0 = 40 + pitch * (t % tiles), z0 = between(random, 3, 3.3);
-    const double slope_x = between(random, -.3, .3), slope_y = between(random, -.3, .3);
-    for(int i = 0; i < side * side; ++i) {
-      const double x = spacing * (i / side + between(random, 0, .3)), y = spacing * (i % side + between(random, 0, .3));
-      add(cloud, {x0 + x, y0 + y, z0 + slope_x * x + slope_y * y}, unit(Vec{-slope_x, -slope_y, 1}));
-    }
-  }
-  const Shapes shapes = detect_valid("late faces", cloud, make_parameters(.005, 29));
-  CHECK_AT(shapes.number_of_shapes() > 130, std::to_string(shapes.number_of_shapes()));
+  Squares plane = make_squares(1, 200000, 100), tiles = make_squares(144, 49, .14);
+  plane.distance_noise = .0005;
+  tiles.low = 30;
+  tiles.high = 33;
+  const Shapes shapes = detect_valid("late faces", make_squares_cloud(plane, tiles), make_parameters(.005, 29));
+  check(shapes.number_of_shapes() > 130, "late faces", double(shapes.number_of_shapes()));
 }
 
 // Patches too small for a shape have the best seeds of all cells: the loop does not end before the faces begin, and

@@ -7,7 +7,6 @@
 
 #include "testing/tolerances.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 
 #include <limits>
@@ -15,20 +14,18 @@
 
 BOOST_AUTO_TEST_SUITE(test_tolerances)
 
-namespace np = CGAL::Tandem::parameters;
 using Limits = std::numeric_limits<double>;
 
 const std::size_t least = 40;
 
 // One for each item of a range of pairs, by its place there.
-template <class K>
 struct Listed_tolerance {
-  using key_type = typename Pairs<K>::value_type;
+  using key_type = Cloud::value_type;
   using value_type = double;
   using reference = double;
   using category = boost::readable_property_map_tag;
 
-  const Pairs<K>* cloud;
+  const Cloud* cloud;
   const std::vector<double>* tolerance;
 
   friend double get(const Listed_tolerance& map, const key_type& item)
@@ -46,7 +43,7 @@ struct Leveled_cloud {
   {
     return detect_with_tolerances<Tag>(cloud, p, map(), given);
   }
-  Listed_tolerance<Kernel> map() const { return {&cloud, &tolerance}; }
+  Listed_tolerance map() const { return {&cloud, &tolerance}; }
   std::string violation(const Shapes& shapes, Given given = Given::normals) const
   {
     return violation_with_tolerances(cloud, shapes, map(), given);
@@ -233,52 +230,6 @@ BOOST_AUTO_TEST_CASE(test_points_without_tolerance)
           for(std::size_t i = 0; i < c.cloud.size(); i += step)
             CHECK_AT(shapes.shape_index(i) < 0, name);
         }
-}
-
-BOOST_AUTO_TEST_CASE(test_tiny_tolerances)
-{
-  Leveled_cloud c = make_leveled(500);
-  c.tolerance.assign(c.cloud.size(), Limits::denorm_min());
-  try {
-    c.detect("all tiny", Parameters());
-  } catch(const std::exception& refusal) {
-    CHECK_AT(std::string(refusal.what()).find("maximum_distance") != std::string::npos, refusal.what());
-  }
-}
-
-// The shapes of the same numbers in another kernel.
-BOOST_AUTO_TEST_CASE(test_kernels)
-{
-  using K = CGAL::Exact_predicates_exact_constructions_kernel;
-  const Leveled_cloud c = make_leveled(4000);
-  Pairs<K> other;
-  for(const auto& [p, n] : c.cloud)
-    other.emplace_back(K::Point_3(p.x(), p.y(), p.z()), K::Vector_3(n.x(), n.y(), n.z()));
-  const Parameters p = make_parameters(.045, least);
-  const auto list = np::settings(p)
-                      .point_map(First<K>())
-                      .normal_map(Second<K>())
-                      .maximum_distance_map(Listed_tolerance<K>{&other, &c.tolerance});
-  const auto shapes = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(other, list);
-  const Shapes expected = c.detect("kernel", p);
-  CHECK(expected.number_of_shapes() > 4);
-  CHECK(first_difference(shapes.shape_indices(), expected.shape_indices()) < 0);
-  check_equal(violation_of(other, shapes, list), "", "exact kernel");
-}
-
-// Points that are equal but for their tolerances, each of which is a surfel.
-BOOST_AUTO_TEST_CASE(test_copies)
-{
-  for(const double surfel_size : {0., Parameters().surfel_size}) {
-    Leveled_cloud c = make_leveled(3000);
-    for(std::size_t i = 0; i < 3000; ++i) {
-      c.cloud.push_back(c.cloud[i]);
-      c.tolerance.push_back(c.tolerance[i] * (i % 2 == 0 ? .02 : .3));
-    }
-    Parameters p = make_parameters(.045, least);
-    p.surfel_size = surfel_size;
-    CHECK(c.detect("copies, surfel size " + std::to_string(surfel_size), p).number_of_shapes() > 4);
-  }
 }
 
 // A result with a point between its own tolerance and epsilon.

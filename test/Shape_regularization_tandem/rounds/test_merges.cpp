@@ -78,22 +78,19 @@ struct Merged_cloud {
   Ids target, label;
   std::vector<std::uint8_t> state;
 
-  // Each fourth one is dissolved, each third one goes to the one before it that stays.
+  // Some are dissolved, some go to one before them that stays.
   explicit Merged_cloud(const Fixture& f)
     : before(f.shapes_of_labels(f.plane.size() + 7)), target(before.size()), label(f.label), state(f.state)
   {
+    std::mt19937 random(unsigned(label.size()));
     for(std::uint32_t id = 0; id < before.size(); ++id) {
-      before[id].age = int(id * 5 % 7);
-      before[id].history.set_fitted(id % 5 != 0);
-      before[id].history.set_linked(id % 5 != 0);
+      before[id].age = int(random() % 7);
+      before[id].history.set_fitted(random() % 5 != 0);
+      before[id].history.set_linked(random() % 5 != 0);
+      const std::uint32_t other = std::uint32_t(random() % (id + 1)), dice = std::uint32_t(random() % 4);
+      const bool may_join = before[id].is_live() && target[other] == other && before[other].is_live();
+      target[id] = before[id].is_live() && dice == 0 ? +free_label : may_join && dice == 1 ? other : id;
     }
-    std::iota(target.begin(), target.end(), 0u);
-    for(std::uint32_t id = 1; id < target.size(); ++id)
-      if(before[id].is_live() && id % 4 != 3 && id % 3 == 0)
-        target[id] = before[0].is_live() && id % 2 == 0 ? 0 : target[id - 1] == id - 1 ? id - 1 : id;
-    for(std::uint32_t id = 3; id < target.size(); id += 4)
-      if(before[id].is_live() && std::count(target.begin(), target.end(), id) == 1)
-        target[id] = free_label;
     merge(f.name);
   }
 
