@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Hilbert curve: a bijection, octants are contiguous ranges at every level, and consecutive codes belong to positions
-// that share a face. The cells of the octree along it, and the blocks that have neighbors of a block. The exact check at
-// the bounds.
+// The Hilbert curve: a bijection, octants are contiguous ranges at every level, and consecutive codes belong to
+// positions that share a face. The cells of the octree along it, and the blocks that have neighbors of a block. The
+// exact check at the bounds.
 
 #include "testing/body_fixture.h"
 #include "testing/random_points.h"
@@ -27,8 +27,8 @@ using Position = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t end_of_curve = 1u << curve_bits;
 
-// The cube of 2^bits octants an axis, of 2^level positions an axis, that has a random position: its codes are a range, each
-// octant has a range of them, whatever the position in it is, and consecutive octants share a face.
+// The cube of 2^bits octants an axis, of 2^level positions an axis, that has a random position: its codes are a range,
+// each octant has a range of them, whatever the position in it is, and consecutive octants share a face.
 void check_cube(Random& random, int bits, int level)
 {
   const auto below = [&](std::uint32_t n) { return std::uint32_t(random.bits() % n); };
@@ -114,9 +114,9 @@ BOOST_AUTO_TEST_CASE(cells)
 
 using Blocks = std::set<std::uint32_t>;
 
-// The blocks that points of each block have neighbors in, against sets of them. A row that has overflown has more blocks
-// than fit, or neighbors of another rank, which has the points from `own` on. Returns how many rows are listed, and how
-// many are not.
+// The blocks that points of each block have neighbors in, against sets of them. A row that has overflown has more
+// blocks than fit, or neighbors of another rank, which has the points from `own` on. Returns how many rows are listed,
+// and how many are not.
 template <class Backend>
 std::array<int, 2> check_rows(Backend& backend, const std::string& name, const Fixture& f, std::uint32_t own)
 {
@@ -169,8 +169,8 @@ BOOST_AUTO_TEST_CASE(rows_of_blocks)
   });
 }
 
-// The first block has neighbors in so many other ones, up to more than a row has. The last one is not full, and its last
-// point has one in the first.
+// The first block has neighbors in so many other ones, up to more than a row has. The last one is not full, and its
+// last point has one in the first.
 BOOST_AUTO_TEST_CASE(full_rows)
 {
   for(std::uint32_t others : {0u, 1u, 14u, 15u, 40u}) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The loops over values that have just been read, which vectorize: whether they are finite, null vectors, and bounds.
-// Points that an engine takes while they are read, a piece at a time, come back as those that are read to the tables; and
-// they are there when twins are told apart by them.
+// Points that an engine takes while they are read, a piece at a time, come back as those that are read to the tables;
+// and they are there when twins are told apart by them.
 
 #include "testing/test_support.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfels against a map of cubes that are counted in plain arithmetic, of points with one tolerance and with tolerances
-// of their own, whose cubes are smaller by octaves: which points surfels have, where they are, their normals and levels,
-// the cells that they are in, the octree of all cubes, and which ones join. No surfel, joined or not, has points of two
-// layers that are 1.1 epsilon apart.
+// of their own, whose cubes are smaller by octaves: which points surfels have, where they are, their normals and
+// levels, the cells that they are in, the octree of all cubes, and which ones join. No surfel, joined or not, has
+// points of two layers that are 1.1 epsilon apart.
 
 #include "testing/body_fixture.h"
 
@@ -113,7 +113,8 @@ Cube cube_of(const Grid_point& p, const Grid_point& low, double edge, int octave
   return {at(p.x, low.x), at(p.y, low.y), at(p.z, low.z)};
 }
 
-// Keys ascend along an octree of cubes: for each octave, those of a cube and of all smaller ones within are consecutive.
+// Keys ascend along an octree of cubes: for each octave, those of a cube and of all smaller ones within are
+// consecutive.
 void check_octree(const Case& c, const Leveled_points& p)
 {
   const Code_frame frame = make_code_frame(p.low, p.high, c.cells);
@@ -304,7 +305,8 @@ BOOST_AUTO_TEST_CASE(targets_of_joins)
   });
 }
 
-// Two layers of random direction, 1.1 epsilon apart, of points in heaps, so that surfels join. Returns whether they did.
+// Two layers of random direction, 1.1 epsilon apart, of points in heaps, so that surfels join. Returns whether they
+// did.
 bool check_layers(Given given, std::uint64_t seed)
 {
   scenes::Random random(seed);

@@ -196,10 +196,10 @@ BOOST_AUTO_TEST_CASE(test_thin_walls)
 enum class Kind { right_angle, parallel, step };
 
 // A floor and a face of the same size, off a relation by so many degrees. One end of the face is then off the related
-// plane through its other end by `turn` epsilons. Noise is in epsilons; where it is several spacings it makes a slab, of
-// which the outer points are surfaces of their own: such cases are left out. A relation must not make a face fall into
-// strips: each face has to be one shape. A face that turns by 3 epsilon may share a direction: each face then turns by
-// half of that, and up to a fifth of the points may be lost. One that turns by 6 may not.
+// plane through its other end by `turn` epsilons. Noise is in epsilons; where it is several spacings it makes a slab,
+// of which the outer points are surfaces of their own: such cases are left out. A relation must not make a face fall
+// into strips: each face has to be one shape. A face that turns by 3 epsilon may share a direction: each face then
+// turns by half of that, and up to a fifth of the points may be lost. One that turns by 6 may not.
 void check_pair(const std::string& name, Kind kind, double degrees, double turn, double noise, std::size_t size)
 {
   using scenes::Frame;
@@ -207,7 +207,8 @@ void check_pair(const std::string& name, Kind kind, double degrees, double turn,
   const double radians = degrees * .017453292519943295, w = turn * epsilon / (std::sin(radians) * (.8 + .6));
   if(noise > 2.5 * w / epsilon / std::sqrt(double(size)))
     return;
-  // It is turned about an axis through its middle. The step is so high that the floor, extended, does not meet the face.
+  // It is turned about an axis through its middle. The step is so high that the floor, extended, does not meet the
+  // face.
   const Frame face = kind == Kind::right_angle
                        ? Frame().at({0, w + 3 * epsilon, 10 * epsilon}).with_axes({1, 0, 0}, {0, 0, 1})
                      : kind == Kind::parallel ? Frame().at({0, 0, w + 10 * epsilon})

@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(test_frames)
     }
 }
 
-// A cube that is turned about the vertical, and copies side by side, which the octree cuts in other ways than one: top and
-// bottom of all copies are two planes. No two walls are in one plane, for the pitch is not that of their direction.
+// A cube that is turned about the vertical, and copies side by side, which the octree cuts in other ways than one: top
+// and bottom of all copies are two planes. No two walls are in one plane, for the pitch is not that of their direction.
 BOOST_AUTO_TEST_CASE(test_turned_tiles)
 {
   const Cloud one =
@@ -123,8 +123,8 @@ Cloud copies_of_room(int copies, double jitter, Random& random, const scenes::Fr
   return cloud;
 }
 
-// Copies of points, exact and jittered, are what one of them is: the planes of the scene, whatever the number of copies, the
-// unit, and the pose. So is a heap of all points of a dead sensor beside it.
+// Copies of points, exact and jittered, are what one of them is: the planes of the scene, whatever the number of
+// copies, the unit, and the pose. So is a heap of all points of a dead sensor beside it.
 BOOST_AUTO_TEST_CASE(test_copies)
 {
   for(std::uint64_t seed = 1; seed <= 3; ++seed) {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters simplicity, regularity and regularity_period: what they change, at which values, and that the score has
-// them.
+// The parameters simplicity, regularity and regularity_period: what they change, at which values, and that the score
+// has them.
 
 #include "testing/test_support.h"
 
@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(test_given_planes)
   }
 }
 
-// Whatever the period of the alternation is, the result is valid and regularized; 1 is the method. Between two regularity
-// steps no shapes are tied: seen from outside, round by round.
+// Whatever the period of the alternation is, the result is valid and regularized; 1 is the method. Between two
+// regularity steps no shapes are tied: seen from outside, round by round.
 BOOST_AUTO_TEST_CASE(test_periods)
 {
   check_equal(Parameters().regularity_period, 1u, "period");

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scenes that reach the limits of tables and of the grid: many small faces in one cell, cells as wide, as full and as small as
-// they may be, faces behind better seeds.
+// Scenes that reach the limits of tables and of the grid: many small faces in one cell, cells as wide, as full and as
+// small as they may be, faces behind better seeds.
 
 #include "testing/patches_cloud.h"
 

@@ -67,7 +67,8 @@ CGAL::Tandem::Planar_shapes_3<Kernel> detect(const std::vector<Point>& cloud)
   return CGAL::Tandem::detect_planes<Tag>(cloud, np::maximum_distance(.01).minimum_region_size(60));
 }
 
-// Files hold normals as floats. They are unpacked in a loop that an optimizer vectorizes, as in a program that writes them.
+// Files hold normals as floats. They are unpacked in a loop that an optimizer vectorizes, as in a program that writes
+// them.
 void check_floats(const CGAL::Tandem::Planar_shapes_3<Kernel>& shapes)
 {
   const auto& code = shapes.data().normal;

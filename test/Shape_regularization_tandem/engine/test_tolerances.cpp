@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tolerances of points: each point is within its own, a constant one is that of the detection bit for bit, a depth camera
-// gets the planes of its scene, near layers stay apart where far noise is wider than their distance, and points without a
-// tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
+// Tolerances of points: each point is within its own, a constant one is that of the detection bit for bit, a depth
+// camera gets the planes of its scene, near layers stay apart where far noise is wider than their distance, and points
+// without a tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
 
 #include "testing/tolerances.h"
 

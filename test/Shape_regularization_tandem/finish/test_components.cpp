@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_components)
@@ -62,12 +64,19 @@ BOOST_AUTO_TEST_CASE(components)
       std::map<std::uint32_t, std::uint32_t> size; // by root
       for(std::uint32_t i = 0; i < n; ++i)
         size[component[i]] += f.label[i] < first_mark;
+      std::set<std::pair<int, std::uint32_t>> large; // the largest first
       for(std::uint32_t i = 0; i < n; ++i)
         if(without_small[i] < first_mark && size[component[i]] < 3)
           without_small[i] = free_label;
+        else if(without_small[i] < first_mark)
+          large.emplace(-int(size[component[i]]), component[i]);
       Seams<decltype(backend)> seams(backend, points.ranks);
-      const auto sizes =
-        component_sizes(points, {points.cloud.surfels(), label.data(), nullptr}, component.data(), seams);
+      const Labels_of_points labels = {points.cloud.surfels(), label.data(), nullptr};
+      std::vector<std::pair<int, std::uint32_t>> got;
+      for(const Component& c : large_components(points, 3, labels, component.data(), seams))
+        got.emplace_back(-int(c.size), c.root);
+      CHECK_AT(std::equal(got.begin(), got.end(), large.begin(), large.end()), name + ": large components");
+      const auto sizes = component_sizes(points, labels, component.data(), seams);
       backend.for_each(n, Clear_interior{state.data()});
       backend.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
       check_lists(label, without_small, name + ": labels without small components");

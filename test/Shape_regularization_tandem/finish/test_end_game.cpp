@@ -82,7 +82,8 @@ void add_floor(Cloud& cloud, std::size_t points, double noise, double height, do
   scenes::Random random(points);
   for(std::size_t i = 0; i < points; ++i) {
     const double x = 2 * random.uniform() - 1, y = 2 * random.uniform() - 1, slope = -2 * sag * epsilon * x / 3;
-    add(cloud, {3 * x, 3 * y, epsilon * (height - sag * x * x + noise * random.gaussian())}, unit({-slope, 0, 1}));
+    add(cloud, {3 * x, 3 * y, epsilon * (height - sag * x * x + noise * random.gaussian())},
+        unit(scenes::Vec{-slope, 0, 1}));
   }
 }
 
@@ -228,8 +229,8 @@ BOOST_AUTO_TEST_CASE(neighbors_of_slabs)
     }
 }
 
-// A cube of points at random, with normals along an axis, and a face through it. Every slab of the cube, 25 of them, has
-// enough points for a shape; most are dropped.
+// A cube of points at random, with normals along an axis, and a face through it. Every slab of the cube, 25 of them,
+// has enough points for a shape; most are dropped.
 BOOST_AUTO_TEST_CASE(slabs)
 {
   const std::size_t on_face = 10000, in_cube = 20000;

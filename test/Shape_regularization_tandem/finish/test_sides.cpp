@@ -157,10 +157,10 @@ BOOST_AUTO_TEST_CASE(bodies)
 
 constexpr double sigma = 0.01, epsilon = 3 * sigma, width = 2;
 
-// Two faces that meet at x = z = 0 at the given angle, with noise and exact normals. Nobody can tell the sides of all points:
-// displaced by noise, a point at depth d crosses the bisector of the faces with the probability of a normal deviate
-// beyond d sin(angle / 2) / sigma. `possible` is the mean of the rest over 3 sigma. With given normals, a point beyond the
-// edge has that of its face, so it stays there.
+// Two faces that meet at x = z = 0 at the given angle, with noise and exact normals. Nobody can tell the sides of all
+// points: displaced by noise, a point at depth d crosses the bisector of the faces with the probability of a normal
+// deviate beyond d sin(angle / 2) / sigma. `possible` is the mean of the rest over 3 sigma. With given normals, a point
+// beyond the edge has that of its face, so it stays there.
 void check_edge(double degrees, double possible, Given given)
 {
   const std::string name = "edge of " + std::to_string(int(degrees)) + " degrees";

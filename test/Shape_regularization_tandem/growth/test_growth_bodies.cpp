@@ -134,8 +134,8 @@ BOOST_AUTO_TEST_CASE(growth_in_cells)
   });
 }
 
-// What a pass makes of the table: of few or many ids that are out of use, and of those that start in the pass. Each live
-// one has some point before, and every fifth one gets no other. Without room the tables have to grow.
+// What a pass makes of the table: of few or many ids that are out of use, and of those that start in the pass. Each
+// live one has some point before, and every fifth one gets no other. Without room the tables have to grow.
 template <class Backend>
 void check_pass(Backend& backend, const std::string& where, const Fixture& f, bool is_sparse, std::uint32_t room)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points go to the adjacent shape where they are worth most: labels, shapes and interior bits after all passes, of which
-// the later ones leave out most blocks, against plain loops over tables of all candidates of each point.
+// Points go to the adjacent shape where they are worth most: labels, shapes and interior bits after all passes, of
+// which the later ones leave out most blocks, against plain loops over tables of all candidates of each point.
 
 #include "testing/body_fixture.h"
 

@@ -24,9 +24,9 @@ using namespace CGAL::Tandem::internal;
 
 using Ids = std::vector<std::uint32_t>;
 
-// Few different numbers of points, so that many shapes are of one size; every ninth one is out of use. Links in any order,
-// some twice, some of a shape with itself. Of shapes that are linked and have one plane, the largest stays, of equal ones
-// that with the smallest id.
+// Few different numbers of points, so that many shapes are of one size; every ninth one is out of use. Links in any
+// order, some twice, some of a shape with itself. Of shapes that are linked and have one plane, the largest stays, of
+// equal ones that with the smallest id.
 void check_coplanar(std::uint32_t n, std::size_t number)
 {
   std::mt19937 random(unsigned(n + number));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Splits against plain loops: which shapes split, which planes their parts have, and what becomes of points, shapes and
-// lists. What a split gains is compared with the score before and after, of shapes that have to split: two layers, a roof
-// of a small angle, faces of different normals. And some that must not.
+// lists. What a split gains is compared with the score before and after, of shapes that have to split: two layers, a
+// roof of a small angle, faces of different normals. And some that must not.
 
 #include "testing/body_fixture.h"
 #include "testing/same_bits.h"
@@ -102,8 +102,8 @@ void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   }
 }
 
-// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do not
-// although they would gain by their planes.
+// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do
+// not although they would gain by their planes.
 std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
 {
   Options options = Options();
@@ -236,8 +236,8 @@ std::pair<double, double> slow_gain(const std::vector<Sampled_point>& sample, co
           double(Score::unit) * (scale > 1 ? scale * std::sqrt(squares) : 0)};
 }
 
-// Whether any start gains, by the first points of the scene. A gain has to be more than its standard deviation. The first
-// part of the best split is the larger one; where there are faces, each part has the points of one.
+// Whether any start gains, by the first points of the scene. A gain has to be more than its standard deviation. The
+// first part of the best split is the larger one; where there are faces, each part has the points of one.
 bool gains(const Scene& scene, std::size_t sample_size)
 {
   const Options options = split_options(12);
