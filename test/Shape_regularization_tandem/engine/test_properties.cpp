@@ -102,9 +102,6 @@ BOOST_AUTO_TEST_CASE(test_corruptions)
   check_equal(guarantees::Checker(cloud, Given::normals, shapes).violations().size(), 0u, "violations");
   check_rejected("partition", set_label(6));
   check_rejected("fidelity", set_label(parallel == 1 ? 2 : 1));
-  check_rejected("statistics", set_label(-1));
-  check_rejected("size", [](Shapes::Data& d) { d.parameters.minimum_region_size = 1000; });
-  check_rejected("fidelity: too far", [](Shapes::Data& d) { d.coefficients[0][3] += .0101; });
   check_rejected("exact relations: not parallel", [=](Shapes::Data& d) {
     double& x = d.coefficients[parallel][0];
     x = std::nextafter(x, 2.);
