@@ -62,6 +62,10 @@ struct Frame {
     return {origin, new_x, cross(new_z, new_x), new_z};
   }
 
+  // Of walls, with the third axis upwards: their normals are -y and x.
+  Frame upright() const { return with_axes({1, 0, 0}, {0, 0, 1}); }
+  Frame sideways() const { return with_axes({0, 1, 0}, {0, 0, 1}); }
+
   // Axes: u and v as given (in this frame, orthogonal), and their cross product.
   Frame with_axes(const Vec& u, const Vec& v) const { return {origin, vector(u), vector(v), vector(cross(u, v))}; }
 };
@@ -153,32 +157,32 @@ struct Model {
     faces.back().bend = {frame.x, first, first + width, sag};
   }
 
-  // The faces of an axis-parallel box of `frame`; `sign` -1: seen from inside.
+  // The faces of an axis-parallel box of `frame`, of these sides, seen from outside or from inside.
   void add_box_faces(const Frame& frame, const Vec& a, const Vec& b, unsigned sides, bool is_inward = false)
   {
-    auto add = [&](std::vector<Vec> corners) {
-      if(is_inward)
-        std::reverse(corners.begin(), corners.end());
-      add_face(frame, corners);
-    };
-    if(sides & side_left)
-      add({{a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}});
-    if(sides & side_right)
-      add({{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, {b.x, a.y, b.z}});
-    if(sides & side_front)
-      add({{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}});
-    if(sides & side_back)
-      add({{a.x, b.y, a.z}, {a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}});
-    if(sides & side_bottom)
-      add({{a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, {b.x, a.y, a.z}});
-    if(sides & side_top)
-      add({{a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}});
+    static const int corners_of[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}; // bits: b instead of a
+    for(int side = 0; side < 6; ++side)
+      if(sides >> side & 1) {
+        std::vector<Vec> corners;
+        for(int c : corners_of[side])
+          corners.push_back({c & 1 ? b.x : a.x, c & 2 ? b.y : a.y, c & 4 ? b.z : a.z});
+        if(is_inward)
+          std::reverse(corners.begin(), corners.end());
+        add_face(frame, corners);
+      }
   }
 
   void add_box(const Frame& frame, const Vec& a, const Vec& b, unsigned sides = side_visible)
   {
     add_box_faces(frame, a, b, sides);
     solids.push_back(box(frame, a, b));
+  }
+
+  void add_scanners(const Frame& frame, const std::vector<Vec>& places)
+  {
+    for(const Vec& p : places)
+      scanners.push_back(frame.point(p));
   }
 
   // A recess in a wall: `wall` has its z axis outward and its origin in the wall.

@@ -60,15 +60,7 @@ Model make_house();
 // (two of the walls and two of the roof for each house, and the vertical).
 Model make_village();
 
-void add_table(Model& model, const Frame& f, double width, double depth, double height);
-
-// A bookcase: board and walls around open compartments.
-void add_shelf(Model& model, const Frame& f, double width, double height, int boards);
-
 Model make_indoor();
-
-// A boss or a bore; what it hides is cut by a prism of sixteen sides.
-void add_cylinder(Model& model, const Frame& f, double radius, double height, bool is_hole);
 
 // A block with a slot, steps, a chamfer, a pocket, a boss and holes.
 Model make_part();
