@@ -294,7 +294,7 @@ Model make_tower()
     model.add_recess(wall, {0.55, 8.6, 1.67, 1.67, 0.2});
     double half = 0.5773502691896258 * 2.4;
     model.add_face(Frame(), {side.point({2.4, -half, 12}), side.point({2.4, half, 12}), apex});
-    spire.push_back({model.faces.back().normal, model.faces.back().offset});
+    spire.push_back(model.faces.back());
     model.scanners.push_back(side.point({14, 0, 3}));
   }
   model.solids.push_back(spire);

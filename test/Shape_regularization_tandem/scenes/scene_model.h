@@ -70,11 +70,12 @@ struct Frame {
   Frame with_axes(const Vec& u, const Vec& v) const { return {origin, vector(u), vector(v), vector(cross(u, v))}; }
 };
 
-struct Half_space {
+// normal . p + offset is 0, and negative inside of what it bounds.
+struct Plane {
   Vec normal;
-  double offset; // inside: normal . p + offset < 0
+  double offset;
 };
-using Convex = std::vector<Half_space>;
+using Convex = std::vector<Plane>;
 
 // A surface that is not quite planar: a parabola along an axis in the plane of its face, which lies at its mean height.
 struct Bend {
@@ -97,9 +98,7 @@ private:
   double position(const Vec& p) const { return (dot(axis, p) - first) / (last - first); }
 };
 
-struct Face {
-  Vec normal;    // unit, outward
-  double offset; // normal . p + offset = 0
+struct Face : Plane { // with a unit normal, outward
   std::vector<std::array<Vec, 3>> triangles;
   Bend bend{};
 };
@@ -132,7 +131,7 @@ struct Model {
   std::size_t add_face(const Frame& frame, const std::vector<Vec>& corners)
   {
     Vec normal = unit(frame.vector(cross(corners[1] - corners[0], corners[2] - corners[0])));
-    faces.push_back({normal, -dot(normal, frame.point(corners[0])), {}, {}});
+    faces.push_back({{normal, -dot(normal, frame.point(corners[0]))}, {}, {}});
     extend_face(faces.size() - 1, frame, corners);
     return faces.size() - 1;
   }
@@ -192,7 +191,7 @@ struct Model {
     voids.push_back(box(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0.1 * r.height}));
   }
 
-  static Half_space half_space(const Frame& frame, const Vec& normal, double distance)
+  static Plane half_space(const Frame& frame, const Vec& normal, double distance)
   {
     Vec n = frame.vector(normal);
     return {n, -(dot(n, frame.origin) + distance)};
@@ -209,7 +208,7 @@ struct Model {
   static bool is_inside(const Convex& convex, const Vec& p, double margin)
   {
     return std::all_of(convex.begin(), convex.end(),
-                       [&](const Half_space& h) { return dot(h.normal, p) + h.offset < -margin; });
+                       [&](const Plane& h) { return dot(h.normal, p) + h.offset < -margin; });
   }
 
   bool is_hidden(const Vec& p, double margin) const

@@ -8,13 +8,13 @@ namespace CGAL::Tandem::scenes {
 const std::vector<Twin>& twins()
 {
   static const std::vector<Twin> all = {
-    {"terrestrial", "terrestrial laser", make_house, {0.003, 0, 0, 0.002, 0, 1}, 0.01, true, 0.03, 25.842, 0.1, 3e-4},
-    {"kinect", "depth camera", make_study, {0.003, 2, 0.0028, 0.006, 0, 1}, 0.01, true, 0.03, 36.87, 0.1, 7e-4},
-    {"street", "mobile mapping", make_street, {0.008, 0, 0, 0.01, 0, 1}, 0.02, true, 0.06, 36.87, 0.3, 4e-4},
-    {"aerial", "aerial laser", make_village, {0.03, 0, 0, 0, 0, 1}, 0.03, false, 0.15, 25.842, 1, 3e-4},
-    {"multiview", "multi-view stereo", make_tower, {0.006, 0, 0, 0, 0.015, 0.4}, 0.01, true, 0.03, 36.87, 0.1, 3e-4},
-    {"mechanical", "sampled part", make_part, {}, 0, false, 0.02, 25.842, 0.1, 7e-4},
-    {"curved", "curved object", make_curved, {0.003, 0, 0, 0, 0, 1}, 0, false, 0.03, 25.842, 0.2, 5e-4}};
+    {"terrestrial", make_house, {0.003, 0, 0, 0.002, 0, 1}, 0.01, true, 0.03, 25.842, 0.1, 3e-4},
+    {"kinect", make_study, {0.003, 2, 0.0028, 0.006, 0, 1}, 0.01, true, 0.03, 36.87, 0.1, 7e-4},
+    {"street", make_street, {0.008, 0, 0, 0.01, 0, 1}, 0.02, true, 0.06, 36.87, 0.3, 4e-4},
+    {"aerial", make_village, {0.03, 0, 0, 0, 0, 1}, 0.03, false, 0.15, 25.842, 1, 3e-4},
+    {"multiview", make_tower, {0.006, 0, 0, 0, 0.015, 0.4}, 0.01, true, 0.03, 36.87, 0.1, 3e-4},
+    {"mechanical", make_part, {}, 0, false, 0.02, 25.842, 0.1, 7e-4},
+    {"curved", make_curved, {0.003, 0, 0, 0, 0, 1}, 0, false, 0.03, 25.842, 0.2, 5e-4}};
   return all;
 }
 

@@ -72,10 +72,7 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-struct Truth_face {
-  Vec normal;
-  double offset; // normal . p + offset = 0
-};
+using Truth_face = Plane;
 
 struct Scene {
   std::vector<Vec> points;

@@ -120,10 +120,8 @@ void split_faces(const Sensor& sensor, const std::vector<std::int32_t>& pixel, c
     if(scene.label[i] < 0)
       continue;
     const auto entry = number.emplace(root(std::int32_t(i)), std::int32_t(number.size()));
-    if(entry.second) {
-      const Face& face = model.faces[std::size_t(scene.label[i])];
-      scene.faces.push_back({face.normal, face.offset});
-    }
+    if(entry.second)
+      scene.faces.push_back(model.faces[std::size_t(scene.label[i])]);
     scene.label[i] = entry.first->second;
   }
 }
