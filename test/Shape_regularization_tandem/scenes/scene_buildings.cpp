@@ -3,7 +3,7 @@
 //
 // A house and a village, a street, a tower, and roofs.
 
-#include "scene_models.h"
+#include "scene_model.h"
 
 namespace CGAL::Tandem::scenes {
 

@@ -3,7 +3,7 @@
 //
 // Furnished rooms, layers, and objects with curved parts.
 
-#include "scene_models.h"
+#include "scene_model.h"
 
 namespace CGAL::Tandem::scenes {
 

@@ -49,15 +49,6 @@ Vec smooth_noise(const Vec& p, std::uint64_t seed)
   return sum;
 }
 
-std::size_t nearest_scanner(const std::vector<Vec>& scanners, const Vec& p)
-{
-  std::size_t nearest = 0;
-  for(std::size_t s = 1; s < scanners.size(); ++s)
-    if(dot(scanners[s] - p, scanners[s] - p) < dot(scanners[nearest] - p, scanners[nearest] - p))
-      nearest = s;
-  return nearest;
-}
-
 // The range as the sensor reports it.
 double measured_range(double range, const Sensor_errors& sensor, Random& random)
 {
@@ -75,11 +66,14 @@ void apply_errors(const Sensor_errors& sensor, const std::vector<Vec>& scanners,
   for(std::size_t s = 0; s < scanners.size(); ++s)
     offset.push_back(sensor.registration * random.gaussian_vector());
   for(Vec& p : scene.points) {
-    std::size_t s = nearest_scanner(scanners, p);
-    Vec ray = p - scanners[s];
-    double range = length(ray);
-    Vec rough = sensor.roughness > 0 ? smooth_noise((2 / sensor.wavelength) * p, seed) : Vec{0, 0, 0};
-    p = add_scaled(scanners[s], measured_range(range, sensor, random) / range, ray) + offset[s];
+    const auto squared = [&](const Vec& s) { return dot(s - p, s - p); };
+    const auto nearest = std::min_element(scanners.begin(), scanners.end(),
+                                          [&](const Vec& a, const Vec& b) { return squared(a) < squared(b); });
+    const Vec ray = p - *nearest,
+              rough = sensor.roughness > 0 ? smooth_noise((2 / sensor.wavelength) * p, seed) : Vec{0, 0, 0};
+    const double range = length(ray);
+    p = add_scaled(*nearest, measured_range(range, sensor, random) / range, ray) +
+        offset[std::size_t(nearest - scanners.begin())];
     p = add_scaled(p, sensor.roughness, rough);
   }
 }
