@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Right angles among many directions, queries of the Gauss map, and partners among fixed directions: the same as by
-// comparing all with all, bit by bit, with far fewer comparisons.
+// Right angles among many directions, stars, and partners among fixed directions: the same as by comparing all with all,
+// bit by bit, with far fewer comparisons.
 
 #include "testing/direction_families.h"
 
@@ -74,36 +74,6 @@ BOOST_AUTO_TEST_CASE(stars)
     }
   });
   check(followers > 5000, "followers in all", double(followers));
-}
-
-// All directions within an angle, whatever their signs, also where they lie on another face of the cube.
-BOOST_AUTO_TEST_CASE(near_directions)
-{
-  std::size_t within = 0;
-  for_each_family(200, 2, [&](const std::string& name, Random& random, Directions d) {
-    for(const Vector& axis : {Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{0, 0, 1}, unit({1, 1e-9, 0}), unit({1, 1, 0})})
-      d.push_back(axis);
-    Great_circle_index index;
-    for(const Vector& v : d)
-      index.add(v, 0);
-    for(double sine : {1e-9, .01, .14, .2, .21, .5, .7})
-      for(int q = 0; q < 60; ++q) {
-        const Vector query = q % 2 == 0 ? d[std::size_t(random.below(int(d.size())))] : random.direction();
-        std::vector<int> found, expected;
-        index.search(Near_direction_region(query, sine), [&](int i) {
-          const Vector& v = d[std::size_t(i)];
-          if(dot(v, v) > 0 && squared_sine(query, v) <= sine * sine) // the lattice has the null vector
-            found.push_back(i);
-        });
-        for(std::size_t i = 0; i < d.size(); ++i)
-          if(dot(d[i], d[i]) > 0 && squared_sine(query, d[i]) <= sine * sine)
-            expected.push_back(int(i));
-        std::sort(found.begin(), found.end());
-        CHECK_AT(found == expected, name + ": directions within " + std::to_string(sine));
-        within += found.size();
-      }
-  });
-  check(within > 10000, "directions that are found", double(within));
 }
 
 // Stars of 1 to 8 groups, fixed in turn in both ways: fixed directions are looked at one by one, or searched. No group

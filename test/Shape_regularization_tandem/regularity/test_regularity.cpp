@@ -1,13 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Angles, the fits of one and of several shapes, and the regularity step as a whole on analytic sets of shapes: which
+// Angles, constrained fits, and the regularity step as a whole on analytic sets of shapes: which
 // become orthogonal and which do not, switches, and degenerate input.
 
 #include "testing/rectangles.h"
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -24,32 +23,6 @@ BOOST_AUTO_TEST_CASE(angles)
   }
   check_equal(sine_deg(90), 1, "sine of 90");
   check_equal(cosine_deg(90), 0, "cosine of 90");
-}
-
-BOOST_AUTO_TEST_CASE(group_fit)
-{
-  std::mt19937 random(3);
-  std::normal_distribution<double> noise(0, 0.03);
-  Shape_fits shapes;
-  Symmetric_matrix sum = {0, 0, 0, 0, 0, 0};
-  for(int i = 0; i < 5; ++i) {
-    shapes.push_back(make_shape({{0.3 + noise(random), 0.4 + noise(random), 0.86},
-                                 {1e5 * i, 0, 0},
-                                 4 * epsilon,
-                                 (2 + i) * epsilon,
-                                 100,
-                                 500.0 + 300 * i}));
-    sum = sum + shapes.back().scatter.matrix;
-  }
-  const Relations r = run(shapes, all_on(1e6));
-  check_equal(r.directions.size(), 1u, "directions of the group");
-  const Vector n = r.directions[0];
-  const Plane_basis b(n);
-  for(double step : {1e-6, 1e-4, 1e-2})
-    for(int k = 0; k < 360; k += 5) {
-      const Vector other = unit(add_scaled(n, step, b.lifted(cosine_deg(k), sine_deg(k))));
-      check(quadratic_form(sum, other) >= quadratic_form(sum, n) * (1 - 1e-12), "a better direction of the group", k);
-    }
 }
 
 BOOST_AUTO_TEST_CASE(constrained_fits)
@@ -108,17 +81,6 @@ BOOST_AUTO_TEST_CASE(chained_frames)
     check_equal(r.directions.size(), 6u, "directions of house " + std::to_string(seed));
     check_equal(inexact_pairs(r, 4), 0, "nearly orthogonal pairs of house " + std::to_string(seed));
     check_equal(orthogonal_pairs(r.directions).size(), 6u, "right angles of house " + std::to_string(seed));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(houses_of_a_village)
-{
-  const std::vector<Rectangle> faces = village();
-  for(double price : {5., 10., 20., 40.}) {
-    const Relations r = run(faces, all_on(price));
-    check_tables(r, faces.size(), "village");
-    check_equal(r.directions.size(), 65u, "directions of the village, price " + std::to_string(price));
-    check_equal(inexact_pairs(r, 0.3), 0, "nearly orthogonal pairs of the village");
   }
 }
 
