@@ -6,7 +6,9 @@
 
 #include "testing/test_support.h"
 
-#include <CGAL/Shape_regularization_tandem/models/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 
@@ -152,14 +154,15 @@ double work(std::size_t walls)
   data.parameters.maximum_distance = .01;
   data.coefficients = {{0, 0, 1, 0}};
   data.parallel_group = data.coplanar_group = {0};
-  std::vector<std::array<double, 3>> points;
+  std::vector<outlines::Kernel::Point_3> points;
   std::vector<std::int32_t> labels;
   const double row = std::floor(std::sqrt(double(walls)));
   for(std::size_t i = 0; i < walls; ++i) {
     const double x = 2 * std::fmod(double(i), row), y = 2 * std::floor(double(i) / row);
     for(int k = 0; k < 64; ++k) {
       const double u = k % 8 / 7., v = k / 8 / 7.;
-      points.insert(points.end(), {{x + u, y + v, 0}, {x + u, y, v}});
+      points.emplace_back(x + u, y + v, 0);
+      points.emplace_back(x + u, y, v);
       labels.insert(labels.end(), {0, std::int32_t(i + 1)});
     }
     data.coefficients.push_back({0, 1, 0, -y});
@@ -172,7 +175,9 @@ double work(std::size_t walls)
   const outlines::Unit unit(points, shapes);
   std::vector<outlines::Shape_points> all;
   for(std::size_t s = 0; s <= walls; ++s) {
-    all.push_back(outlines::points_of_shape(points, shapes, unit, s));
+    all.push_back({outlines::Plane_frame(shapes, s, unit.in(points[*shapes.points(s).begin()])), {}, {}, {}});
+    for(std::uint32_t i : shapes.points(s))
+      all.back().points.push_back(unit.in(points[i]));
     all.back().spacing.assign(all.back().points.size(), float(unit.in(1 / 7.)));
   }
   const outlines::Border_finder finder(shapes, unit, all);

@@ -123,7 +123,7 @@ std::vector<Labeled_scene> labeled_frames()
   for(const Noise& noise : noises)
     list.push_back(depth_image("shelves", {3.2, 0.9, 1.5}, {2.2, 4.5, 0.9}, noise));
   for(unsigned points : {3000u, 1000u, 300u})
-    for(const std::string& kind : roof_kinds())
+    for(const char* kind : {"gable", "low", "hip", "dormers", "wing", "mansard", "hall", "villa"})
       list.push_back(roof(kind, points));
   return list;
 }

@@ -302,12 +302,6 @@ Model make_tower()
   return model;
 }
 
-const std::vector<std::string>& roof_kinds()
-{
-  static const std::vector<std::string> kinds = {"gable", "low", "hip", "dormers", "wing", "mansard", "hall", "villa"};
-  return kinds;
-}
-
 Model make_roof(const std::string& kind)
 {
   Model model;

@@ -315,7 +315,6 @@ Model make_tilted_room();
 // The roof of a house of 12 by 9 m without its walls: gable, low, hip, dormers, wing, mansard,
 // hall (saw teeth), villa (hip, wing and dormers).
 Model make_roof(const std::string& kind);
-const std::vector<std::string>& roof_kinds();
 
 // A wall of 4 by 3 m in the xz plane, and three boards of different sizes at the distance `gap` before it.
 Model make_boards(double gap);
