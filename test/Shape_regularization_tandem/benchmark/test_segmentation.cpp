@@ -25,70 +25,37 @@ Labels labels(const std::vector<std::pair<int, std::size_t>>& runs)
   return result;
 }
 
-Segmentation judge(const Labels& truth, const Labels& found, std::size_t smallest_face = 1)
-{
-  const auto number = [](const Labels& all) { return std::size_t(1 + *std::max_element(all.begin(), all.end())); };
-  return evaluate_segmentation({truth, std::vector<Plane>(number(truth))}, {found, std::vector<Plane>(number(found))},
-                               smallest_face);
-}
+std::size_t number_of(const Labels& labels) { return std::size_t(1 + *std::max_element(labels.begin(), labels.end())); }
 
-BOOST_AUTO_TEST_CASE(equal_labels_are_perfect)
+BOOST_AUTO_TEST_CASE(labelings_counted_by_hand)
 {
-  const Labels truth = labels({{0, 10}, {-1, 3}, {1, 5}});
-  const Segmentation s = judge(truth, labels({{1, 10}, {-1, 3}, {0, 5}}));
-  BOOST_TEST(s.precision == 1);
-  BOOST_TEST(s.recall == 1);
-  BOOST_TEST(s.f == 1);
-  BOOST_TEST(s.mean_iou == 1);
-}
-
-BOOST_AUTO_TEST_CASE(a_match_has_an_iou_of_three_quarters)
-{
-  // 9 of 12 points: .75. 8 of 11: .727.
-  const Segmentation at = judge(labels({{0, 12}}), labels({{0, 9}, {-1, 3}}));
-  BOOST_TEST(at.f == 1);
-  BOOST_TEST(at.mean_iou == .75);
-  const Segmentation below = judge(labels({{0, 11}}), labels({{0, 8}, {-1, 3}}));
-  BOOST_TEST(below.f == 0);
-  BOOST_TEST(below.mean_iou == 0);
-}
-
-BOOST_AUTO_TEST_CASE(precision_and_recall_count_shapes_and_faces)
-{
-  // Of three faces one is found exactly; another shape is on no face.
-  const Segmentation s = judge(labels({{0, 8}, {1, 8}, {2, 8}, {-1, 4}}), labels({{0, 8}, {-1, 16}, {1, 4}}));
-  BOOST_TEST(s.precision == .5);
-  BOOST_TEST(s.recall == 1. / 3);
-  BOOST_TEST(s.f == .4);
-}
-
-BOOST_AUTO_TEST_CASE(a_face_in_parts_is_over_segmented)
-{
-  const Segmentation s = judge(labels({{0, 10}, {1, 6}}), labels({{0, 5}, {1, 5}, {2, 6}}));
-  BOOST_TEST(s.over_segmented == .5);
-  BOOST_TEST(s.under_segmented == 0);
-}
-
-BOOST_AUTO_TEST_CASE(a_shape_over_faces_is_under_segmented)
-{
-  const Segmentation s = judge(labels({{0, 5}, {1, 5}, {2, 6}}), labels({{0, 10}, {1, 6}}));
-  BOOST_TEST(s.under_segmented == .5);
-  BOOST_TEST(s.over_segmented == 0);
-}
-
-BOOST_AUTO_TEST_CASE(small_faces_need_not_be_found)
-{
-  const Labels truth = labels({{0, 10}, {1, 2}});
-  BOOST_TEST(judge(truth, labels({{0, 10}, {-1, 2}}), 3).recall == 1);
-  BOOST_TEST(judge(truth, labels({{0, 10}, {-1, 2}}), 2).recall == .5);
-  BOOST_TEST(judge(truth, labels({{0, 10}, {1, 2}}), 3).precision == 1);
-}
-
-BOOST_AUTO_TEST_CASE(nothing_found_is_zero)
-{
-  const Segmentation s = evaluate_segmentation({labels({{0, 5}}), std::vector<Plane>(1)}, {labels({{-1, 5}}), {}}, 1);
-  BOOST_TEST(s.f == 0);
-  BOOST_TEST(s.precision == 0);
+  struct Labeling {
+    const char* name;
+    Labels truth, found;
+    std::size_t smallest_face;
+    double precision, recall, f, mean_iou, over_segmented, under_segmented;
+  };
+  const Labeling labelings[] = {
+    {"equal", labels({{0, 10}, {-1, 3}, {1, 5}}), labels({{1, 10}, {-1, 3}, {0, 5}}), 1, 1, 1, 1, 1, 0, 0},
+    {"9 of 12 points", labels({{0, 12}}), labels({{0, 9}, {-1, 3}}), 1, 1, 1, 1, .75, 0, 0},
+    {"8 of 11 points", labels({{0, 11}}), labels({{0, 8}, {-1, 3}}), 1, 0, 0, 0, 0, 0, 0},
+    {"one of three faces, and a shape on none", labels({{0, 8}, {1, 8}, {2, 8}, {-1, 4}}),
+     labels({{0, 8}, {-1, 16}, {1, 4}}), 1, .5, 1. / 3, .4, 1, 0, 0},
+    {"a face in parts", labels({{0, 10}, {1, 6}}), labels({{0, 5}, {1, 5}, {2, 6}}), 1, 1. / 3, .5, .4, 1, .5, 0},
+    {"a shape over faces", labels({{0, 5}, {1, 5}, {2, 6}}), labels({{0, 10}, {1, 6}}), 1, .5, 1. / 3, .4, 1, 0, .5},
+    {"a small face", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 3, 1, 1, 1, 1, 0, 0},
+    {"a face just large enough", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 2, 1, .5, 2. / 3, 1, 0, 0},
+    {"a small face that is found", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {1, 2}}), 3, 1, 1, 1, 1, 0, 0},
+    {"nothing found", labels({{0, 5}}), labels({{-1, 5}}), 1, 0, 0, 0, 0, 0, 0}};
+  for(const Labeling& l : labelings)
+    BOOST_TEST_CONTEXT(l.name)
+    {
+      const Segmentation s = evaluate_segmentation({l.truth, std::vector<Plane>(number_of(l.truth))},
+                                                   {l.found, std::vector<Plane>(number_of(l.found))}, l.smallest_face);
+      const double got[] = {s.precision, s.recall, s.f, s.mean_iou, s.over_segmented, s.under_segmented};
+      const double expected[] = {l.precision, l.recall, l.f, l.mean_iou, l.over_segmented, l.under_segmented};
+      BOOST_TEST(got == expected, boost::test_tools::tolerance(1e-12) << boost::test_tools::per_element());
+    }
 }
 
 // Numbers begin anywhere; 0 is a face only beside negative labels.

@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outlines of the shapes: of scenes whose areas are known, of points of all sorts in a plane, and of random ones,
-// which must become simple polygons that have nothing in common.
+// The outlines of points in a plane, of all sorts and random ones, which must become simple polygons that have nothing in
+// common; and the work that the borders between many shapes are.
 
 #include "testing/test_support.h"
 
-#include "outlines/many_shapes.h"
-
-#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
-#include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 
@@ -22,22 +20,10 @@
 
 BOOST_AUTO_TEST_SUITE(test_polygons)
 
+namespace outlines = CGAL::Tandem::internal::outlines;
 using outlines::Outline_vertex;
 using outlines::Polygon;
 using Flat = outlines::Kernel::Point_2;
-using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
-
-// --- Validity
-
-double signed_area(const std::vector<Flat>& loop)
-{
-  double area = 0;
-  for(std::size_t i = 0; i < loop.size(); ++i) {
-    const Flat &p = loop[i], &q = loop[(i + 1) % loop.size()];
-    area += (p.x() - loop[0].x()) * (q.y() - loop[0].y()) - (p.y() - loop[0].y()) * (q.x() - loop[0].x());
-  }
-  return area / 2;
-}
 
 // Loops are simple, and have no point in common.
 void check_apart(const std::vector<std::vector<Flat>>& loops, const std::string& where)
@@ -62,7 +48,7 @@ double check_valid(const std::vector<Flat>& vertices, const std::vector<Polygon>
     for(std::uint32_t i : loop)
       loops.back().push_back(vertices.at(i));
     CHECK_AT(loop.size() >= 3, where);
-    return signed_area(loops.back());
+    return CGAL::polygon_area_2(loops.back().begin(), loops.back().end(), outlines::Kernel());
   };
   double sum = 0;
   for(const Polygon& polygon : polygons) {
@@ -83,8 +69,6 @@ double check_valid(const std::vector<Flat>& vertices, const std::vector<Polygon>
   check_apart(loops, where);
   return sum;
 }
-
-// --- Points in a plane
 
 struct Result {
   double area;
@@ -163,95 +147,56 @@ BOOST_DATA_TEST_CASE(random_points, boost::unit_test::data::xrange(60), run)
   outline_of(points, "run " + std::to_string(run));
 }
 
-// --- Shapes
-
-constexpr double sigma = .004;
-
-// Turned about the z axis, and far from the origin.
-Kernel::Point_3 placed(double x, double y, double z)
+// What it is to find the borders of walls of 1 x 1 that stand on one floor, in rows, each in one plane.
+double work(std::size_t walls)
 {
-  return Kernel::Point_3(.8 * x - .6 * y + 4.5e5, .6 * x + .8 * y, z);
-}
-
-bool is_floor(double x, double y) { return x < 3 || y < 2; }
-bool is_window(double x, double z) { return x > 2 && x < 3.5 && z > 1 && z < 2.2; }
-
-// An L-shaped floor of 18 square meters, and a wall of 16.2 beside it.
-Cloud make_scene()
-{
-  Cloud points;
-  Generator g{std::mt19937(7)};
-  std::normal_distribution<double> noise(0, sigma);
-  for(int i = 0; i < 30000; ++i) {
-    const double x = 6 * g.unit(), y = 4 * g.unit(), z = 3 * g.unit();
-    if(is_floor(x, y))
-      points.emplace_back(placed(x, y, noise(g.random)), Kernel::Vector_3(0, 0, 1));
-    if(!is_window(x, z))
-      points.emplace_back(placed(x, noise(g.random), z), Kernel::Vector_3(-.6, .8, 0));
+  CGAL::Tandem::Shapes_data data;
+  data.parameters.maximum_distance = .01;
+  data.coefficients = {{0, 0, 1, 0}};
+  data.parallel_group = data.coplanar_group = {0};
+  std::vector<outlines::Kernel::Point_3> points;
+  std::vector<std::int32_t> labels;
+  const double row = std::floor(std::sqrt(double(walls)));
+  for(std::size_t i = 0; i < walls; ++i) {
+    const double x = 2 * std::fmod(double(i), row), y = 2 * std::floor(double(i) / row);
+    for(int k = 0; k < 64; ++k) {
+      const double u = k % 8 / 7., v = k / 8 / 7.;
+      points.emplace_back(x + u, y + v, 0);
+      points.emplace_back(x + u, y, v);
+      labels.insert(labels.end(), {0, std::int32_t(i + 1)});
+    }
+    data.coefficients.push_back({0, 1, 0, -y});
+    data.parallel_group.push_back(1);
+    data.coplanar_group.push_back(1 + int(y / 2));
   }
-  return points;
-}
-
-double distance(const Shapes& shapes, std::size_t s, const Kernel::Point_3& p)
-{
-  const auto& c = shapes.coefficients(s);
-  return std::fabs(std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3]))));
-}
-
-// The longest edge that lies on both planes.
-double longest_common_edge(const Shapes& shapes, const Areas& areas, std::size_t s)
-{
-  const auto& outer = areas.polygons(s)[0].outer;
-  double longest = 0;
-  for(std::size_t i = 0; i < outer.size(); ++i) {
-    const auto &p = areas.points()[outer[i]], &q = areas.points()[outer[(i + 1) % outer.size()]];
-    constexpr double rounding = 1e-10; // of coordinates of 4.5e5
-    if((std::max)({distance(shapes, 0, p), distance(shapes, 1, p), distance(shapes, 0, q), distance(shapes, 1, q)}) <
-       rounding)
-      longest = (std::max)(longest, std::sqrt(CGAL::squared_distance(p, q)));
+  data.shape_of = std::move(labels);
+  data.is_flipped.resize(walls + 1);
+  const outlines::Shapes shapes(data);
+  const outlines::Unit unit(points, shapes);
+  std::vector<outlines::Shape_points> all;
+  for(std::size_t s = 0; s <= walls; ++s) {
+    all.push_back({outlines::Plane_frame(shapes, s, unit.in(points[*shapes.points(s).begin()])), {}, {}, {}});
+    for(std::uint32_t i : shapes.points(s))
+      all.back().points.push_back(unit.in(points[i]));
+    all.back().spacing.assign(all.back().points.size(), float(unit.in(1 / 7.)));
   }
-  return longest;
-}
-
-BOOST_AUTO_TEST_CASE(areas_of_a_scene)
-{
-  const Cloud points = make_scene();
-  const Shapes shapes = detect(points, make_parameters(.02, 300));
-  CHECK_AT(shapes.number_of_shapes() == 2, std::to_string(shapes.number_of_shapes()));
-  const Areas areas = CGAL::Tandem::polygons(shapes, points, CGAL::Tandem::parameters::point_map(First<Kernel>()));
-  for(std::size_t s = 0; s < 2; ++s) {
-    const bool is_wall = std::fabs(shapes.coefficients(s)[2]) < .5;
-    CHECK_AT(areas.polygons(s).size() == 1 && areas.polygons(s)[0].holes.size() == (is_wall ? 1 : 0),
-             std::to_string(areas.polygons(s).size()));
-    CHECK_AT(std::fabs(areas.area(s) / (is_wall ? 16.2 : 18) - 1) < .02, std::to_string(areas.area(s)));
-    CHECK_AT(longest_common_edge(shapes, areas, s) > 5.8, std::to_string(longest_common_edge(shapes, areas, s)));
-    for(std::uint32_t v : areas.polygons(s)[0].outer)
-      CHECK(distance(shapes, s, areas.points()[v]) < 1e-10);
+  const outlines::Border_finder finder(shapes, unit, all);
+  std::size_t comparisons = 0, borders = 0;
+  for(std::size_t s = 0; s <= walls; ++s) {
+    outlines::Straight_borders of_shape;
+    borders += finder.pieces_of(s, of_shape).size();
+    comparisons += of_shape.comparisons;
   }
-  CHECK_AT(areas.points().size() < 200, std::to_string(areas.points().size()));
+  CHECK(borders > walls);
+  return double(comparisons);
 }
-
-// --- Many shapes
 
 // Where ten times as many shapes are, the work is ten times as much.
 BOOST_AUTO_TEST_CASE(work_grows_with_the_shapes)
 {
-  const auto work = [](const Many_shapes& scene) {
-    const outlines::Border_finder finder(scene.shapes, outlines::Unit(scene.points, scene.shapes), scene.all);
-    std::size_t sum = 0, borders = 0;
-    for(std::size_t s = 0; s < scene.all.size(); ++s) {
-      outlines::Straight_borders of_shape;
-      borders += finder.pieces_of(s, of_shape).size();
-      sum += of_shape.comparisons;
-    }
-    CHECK(borders > scene.all.size() / 2);
-    return double(sum);
-  };
-  for(const bool has_floor : {false, true}) {
-    constexpr int number = is_sanitized ? 100 : 1000;
-    const double few = work(Many_shapes(number, has_floor)), many = work(Many_shapes(10 * number, has_floor));
-    CHECK_AT(many < 11 * few, std::to_string(few) + ' ' + std::to_string(many));
-  }
+  constexpr int walls = is_sanitized ? 100 : 1000;
+  const double few = work(walls), many = work(10 * walls);
+  CHECK_AT(many < 11 * few, std::to_string(few) + ' ' + std::to_string(many));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

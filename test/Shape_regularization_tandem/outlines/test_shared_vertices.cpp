@@ -10,11 +10,8 @@
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_shared_vertices)
@@ -30,101 +27,61 @@ struct Totals {
   std::size_t common_edges = 0, overlaps = 0;
 };
 
-// The edges of two shapes that lie on the line of their planes.
-class Common_line {
-public:
-  struct Edge {
-    double first, last; // along the line
-    std::uint32_t corners[2];
-  };
-
-  Common_line(const Shapes& shapes, const Areas& areas, std::size_t s, std::size_t t)
-    : shapes_of_line{s, t}, shapes(shapes), areas(areas), s(s), t(t)
-  {
-    direction = CGAL::cross_product(normal_of(s), normal_of(t));
-    is_defined = direction.squared_length() >= .0625; // flatter ones are not
-    direction = direction / std::sqrt(direction.squared_length());
-  }
-
-  std::vector<Edge> edges_of(std::size_t shape) const
-  {
-    std::vector<Edge> result;
-    const auto add = [&](const CGAL::Tandem::Indexed_polygon::Loop& loop) {
-      for(std::size_t i = 0; i < loop.size(); ++i) {
-        const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
-        if(!is_on_both(a) || !is_on_both(b))
-          continue;
-        const double x = along(a), y = along(b);
-        result.push_back(x < y ? Edge{x, y, {a, b}} : Edge{y, x, {b, a}});
-      }
-    };
-    for(const CGAL::Tandem::Indexed_polygon& polygon : areas.polygons(shape)) {
-      add(polygon.outer);
-      for(const auto& hole : polygon.holes)
-        add(hole);
-    }
-    return result;
-  }
-
-  // Of coordinates, in the direction of the line.
-  double rounding() const
-  {
-    double largest = 0;
-    for(std::size_t shape : {s, t})
-      for(const auto& polygon : areas.polygons(shape))
-        for(std::uint32_t v : polygon.outer)
-          largest = (std::max)({largest, std::fabs(areas.points()[v].x()), std::fabs(areas.points()[v].y()),
-                                std::fabs(areas.points()[v].z())});
-    return largest * 0x1p-46;
-  }
-
-  std::size_t shapes_of_line[2];
-  bool is_defined;
-
-private:
-  Kernel::Vector_3 normal_of(std::size_t shape) const
-  {
-    const auto& c = shapes.coefficients(shape);
-    return Kernel::Vector_3(c[0], c[1], c[2]);
-  }
-
-  double along(std::uint32_t v) const { return (areas.points()[v] - CGAL::ORIGIN) * direction; }
-
-  bool is_on(std::size_t shape, std::uint32_t v) const
-  {
-    const auto& c = shapes.coefficients(shape);
-    const Kernel::Point_3& p = areas.points()[v];
-    long double height = c[3], size = std::fabs(c[3]);
-    for(int k = 0; k < 3; ++k) {
-      height += static_cast<long double>(c[std::size_t(k)]) * p[k];
-      size += std::fabs(static_cast<long double>(c[std::size_t(k)]) * p[k]);
-    }
-    return std::fabs(height) <= size * 0x1p-51L;
-  }
-  bool is_on_both(std::uint32_t v) const { return is_on(s, v) && is_on(t, v); }
-
-  const Shapes& shapes;
-  const Areas& areas;
-  std::size_t s, t;
-  Kernel::Vector_3 direction;
+// An edge along the line of two planes.
+struct Edge {
+  double first, last;
+  std::uint32_t corners[2];
 };
 
-// Edges of both that overlap are the same edge: by their positions in the table.
-void count_common(const Common_line& line, Totals& totals)
+bool is_on(const Shapes& shapes, std::size_t s, const Kernel::Point_3& p)
 {
-  if(!line.is_defined)
-    return;
-  const auto of_s = line.edges_of(line.shapes_of_line[0]), of_t = line.edges_of(line.shapes_of_line[1]);
-  const double rounding = line.rounding();
-  for(const auto& a : of_s)
-    for(const auto& b : of_t) {
-      const double overlap = (std::min)(a.last, b.last) - (std::max)(a.first, b.first);
-      if(overlap <= rounding)
-        continue;
-      ++totals.overlaps;
-      const bool is_same = a.corners[0] == b.corners[0] && a.corners[1] == b.corners[1];
-      totals.common_edges += is_same;
+  const auto& c = shapes.coefficients(s);
+  long double height = c[3], size = std::fabs(c[3]);
+  for(int k = 0; k < 3; ++k) {
+    height += static_cast<long double>(c[std::size_t(k)]) * p[k];
+    size += std::fabs(static_cast<long double>(c[std::size_t(k)]) * p[k]);
+  }
+  return std::fabs(height) <= size * 0x1p-51L;
+}
+
+// The edges of s whose ends lie on the plane of t, too.
+std::vector<Edge> edges_on(const Shapes& shapes, const Areas& areas, std::size_t s, std::size_t t,
+                           const Kernel::Vector_3& line)
+{
+  std::vector<Edge> result;
+  const auto add = [&](const CGAL::Tandem::Indexed_polygon::Loop& loop) {
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+      const Kernel::Point_3 &p = areas.points()[a], &q = areas.points()[b];
+      const double x = (p - CGAL::ORIGIN) * line, y = (q - CGAL::ORIGIN) * line;
+      if(is_on(shapes, s, p) && is_on(shapes, t, p) && is_on(shapes, s, q) && is_on(shapes, t, q))
+        result.push_back(x < y ? Edge{x, y, {a, b}} : Edge{y, x, {b, a}});
     }
+  };
+  for(const CGAL::Tandem::Indexed_polygon& polygon : areas.polygons(s)) {
+    add(polygon.outer);
+    for(const auto& hole : polygon.holes)
+      add(hole);
+  }
+  return result;
+}
+
+// Edges of both that overlap by more than a rounded coordinate are the same edge: by their positions in the table.
+void count_common(const Shapes& shapes, const Areas& areas, std::size_t s, std::size_t t, Totals& totals)
+{
+  Kernel::Vector_3 line = CGAL::cross_product(shapes.plane(s).orthogonal_vector(), shapes.plane(t).orthogonal_vector());
+  if(line.squared_length() < .0625) // flatter ones have no common vertices
+    return;
+  line = line / std::sqrt(line.squared_length());
+  double largest = 0;
+  for(const Kernel::Point_3& p : areas.points())
+    largest = (std::max)({largest, std::fabs(p.x()), std::fabs(p.y()), std::fabs(p.z())});
+  for(const Edge& a : edges_on(shapes, areas, s, t, line))
+    for(const Edge& b : edges_on(shapes, areas, t, s, line))
+      if((std::min)(a.last, b.last) - (std::max)(a.first, b.first) > largest * 0x1p-46) {
+        ++totals.overlaps;
+        totals.common_edges += a.corners[0] == b.corners[0] && a.corners[1] == b.corners[1];
+      }
 }
 
 void check_shared(const Shapes& shapes, const Cloud& cloud, const std::string& name, Totals& totals)
@@ -135,7 +92,7 @@ void check_shared(const Shapes& shapes, const Cloud& cloud, const std::string& n
     CHECK_AT(all.insert({p.x(), p.y(), p.z()}).second, name);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     for(std::size_t t = 0; t < s; ++t)
-      count_common(Common_line(shapes, areas, s, t), totals);
+      count_common(shapes, areas, s, t, totals);
 }
 
 // --- Scenes

@@ -1,18 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Right angles among many directions, queries of the Gauss map, and partners among fixed directions: the same as by
-// comparing all with all, bit by bit, with far fewer comparisons.
+// Right angles among many directions, stars, and partners among fixed directions: the same as by comparing all with all,
+// bit by bit, with far fewer comparisons.
 
 #include "testing/direction_families.h"
-#include "testing/same_bits.h"
 
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,183 +76,96 @@ BOOST_AUTO_TEST_CASE(stars)
   check(followers > 5000, "followers in all", double(followers));
 }
 
-// All directions within an angle, whatever their signs, also where they lie on another face of the cube.
-BOOST_AUTO_TEST_CASE(near_directions)
-{
-  std::size_t within = 0;
-  for_each_family(200, 2, [&](const std::string& name, Random& random, Directions d) {
-    for(const Vector& axis : {Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{0, 0, 1}, unit({1, 1e-9, 0}), unit({1, 1, 0})})
-      d.push_back(axis);
-    Great_circle_index index;
-    for(const Vector& v : d)
-      index.add(v, 0);
-    for(double sine : {1e-9, .01, .14, .2, .21, .5, .7})
-      for(int q = 0; q < 60; ++q) {
-        const Vector query = q % 2 == 0 ? d[std::size_t(random.below(int(d.size())))] : random.direction();
-        std::vector<int> found, expected;
-        index.search(Near_direction_region(query, sine), [&](int i) {
-          const Vector& v = d[std::size_t(i)];
-          if(dot(v, v) > 0 && squared_sine(query, v) <= sine * sine) // the lattice has the null vector
-            found.push_back(i);
-        });
-        for(std::size_t i = 0; i < d.size(); ++i)
-          if(dot(d[i], d[i]) > 0 && squared_sine(query, d[i]) <= sine * sine)
-            expected.push_back(int(i));
-        std::sort(found.begin(), found.end());
-        CHECK_AT(found == expected, name + ": directions within " + std::to_string(sine));
-        within += found.size();
-      }
-  });
-  check(within > 10000, "directions that are found", double(within));
-}
+// Stars of 1 to 8 groups, fixed in turn in both ways: fixed directions are looked at one by one, or searched. No group
+// pays more than the price for its partners, and followers stay orthogonal to their master. What equals an earlier
+// direction becomes that one.
+class Fixed_pair {
+public:
+  explicit Fixed_pair(const Regularity_options& options)
+    : options_(options), searched_(options, 0), listed_(options, std::size_t(-1))
+  {}
 
-// Fixed directions as they are defined: every decision looks at all of them, in their order.
-struct All_fixed {
-  struct Fixed {
-    Vector direction, rounded;
-    double sine, weight;
-  };
-
-  double squared_rms;
-  std::size_t known = 0;
-  std::vector<Fixed> fixed;
-
-  template <class Score>
-  std::size_t best_partner(const Vector& fit, double sine, Score score_of) const
+  // Returns the direction of the star.
+  Vector fix_star(Direction_group star)
   {
-    std::size_t best = known;
-    double maximum = 0;
-    for(std::size_t i = 0; i < known; ++i) {
-      if(!(std::fabs(rounded_dot(fixed[i].rounded, fit)) < (std::min)(fixed[i].sine, sine)))
-        continue;
-      const double value = std::sqrt(fixed[i].weight) * score_of(fixed[i].direction);
-      if(value > maximum) {
-        maximum = value;
-        best = i;
-      }
-    }
-    return best;
+    searched_.begin_star();
+    listed_.begin_star();
+    const Vector n = searched_.chained(star);
+    CHECK_AT(is_same(n, listed_.chained(star)), "star");
+    chained += !is_same(n, star.fitted);
+    return fix(star, n, {0, 0, 0}, true);
   }
 
-  Vector chained(const Direction_group& star) const
+  void fix_follower(Direction_group group, const Vector& x)
   {
-    const double allowed = squared_rms * star.weight;
-    const std::size_t p = best_partner(star.rounded, star.sine, [&](const Vector& d) {
-      return score_of_cost(cost_of_right_angle(star.eigen, d), allowed);
-    });
-    if(p == known)
-      return star.fitted;
-    const Vector n = fit_orthogonal(star.matrix, fixed[p].direction, star.fitted);
-    if(star.cost(n) > allowed)
-      return star.fitted;
-    Vector both = n;
-    return chain(star, fixed[p].direction, rounded_normal(n), both) ? both : n;
+    Vector a = fit_orthogonal(group.matrix, x, group.fitted), b = a;
+    const bool has_partner = searched_.chain(group, x, group.rounded, a);
+    CHECK_AT(has_partner == listed_.chain(group, x, group.rounded, b) && is_same(a, b), "follower");
+    chained += has_partner;
+    fix(group, a, x, has_partner);
   }
 
-  bool chain(const Direction_group& group, const Vector& p, const Vector& fit, Vector& result) const
+  std::size_t chained = 0, merged = 0;
+
+private:
+  Vector fix(Direction_group& group, const Vector& n, const Vector& master, bool is_priced)
   {
-    const std::size_t q = best_partner(fit, group.sine, [&](const Vector& d) {
-      const Vector c = cross(p, d);
-      return dot(c, c) > .04 ? score_of_cost(group.cost(unit(c)), squared_rms * group.weight) : 0;
-    });
-    if(q < known)
-      result = orthogonal_to_both(p, fixed[q].direction);
-    return q < known;
+    const double rounding = 1e-12 * group.eigen.value[2];
+    check(!is_priced || group.cost(n) <= options_.price(group.largest) + rounding, "cost", group.cost(n));
+    const Vector result = searched_.fix(group, n, master);
+    CHECK_AT(is_same(listed_.fix(group, n, master), result) && are_orthogonal(result, master), "fixed");
+    const auto is_equal = [&](const Vector& d) { return squared_sine(d, n) < 1e-18 && are_orthogonal(d, master); };
+    const bool is_known = std::any_of(fixed_.begin(), fixed_.end(), is_equal);
+    CHECK_AT(is_known ? std::count(fixed_.begin(), fixed_.end(), result) > 0 : is_same(result, canonical(n)), "equal");
+    merged += is_known;
+    fixed_.push_back(result);
+    return result;
   }
 
-  Vector fix(Direction_group& group, const Vector& n, const Vector& master)
-  {
-    group.direction = canonical(n);
-    std::vector<std::size_t> order(fixed.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return fixed[a].direction.x < fixed[b].direction.x; });
-    for(double side : {group.direction.x, -group.direction.x})
-      for(std::size_t i : order) {
-        const Vector& d = fixed[i].direction;
-        if(d.x >= side - 1e-9 && d.x <= side + 1e-9 && squared_sine(d, group.direction) < 1e-9 * 1e-9 &&
-           are_orthogonal(d, master)) {
-          fixed[i].weight += group.weight;
-          return group.direction = d;
-        }
-      }
-    fixed.push_back({group.direction, rounded_normal(group.direction), group.sine, group.weight});
-    return group.direction;
-  }
+  const Regularity_options& options_;
+  Fixed_directions searched_, listed_;
+  Directions fixed_;
 };
 
-// Stars of 1 to 8 groups, fixed in turn in both ways. Few are looked at one by one, more are searched; or all are.
 BOOST_AUTO_TEST_CASE(partners)
 {
   std::size_t chained = 0, merged = 0;
-  for_each_family(300, 12, [&](const std::string& name, Random& random, const Directions& d) {
-    const double squared_rms = 1 + 100 * random.uniform();
+  for_each_family(300, 12, [&](const std::string&, Random& random, const Directions& d) {
     Regularity_options options;
     options.maximum_distance = 1;
-    options.freedom.per_point = squared_rms;
-    Fixed_directions fixed(options, random.below(2) == 0 ? 0 : Fixed_directions::few_directions);
-    All_fixed all = {squared_rms, 0, {}};
+    options.freedom.per_point = 1 + 100 * random.uniform();
+    Fixed_pair fixed(options);
     const bool is_small = random.below(2) == 0;
     for(std::size_t i = 0; i < d.size();) {
-      fixed.begin_star();
-      all.known = all.fixed.size();
-      Direction_group master = make_group(random, d[i++], is_small);
-      const Vector n = fixed.chained(master);
-      CHECK_AT(is_same(n, all.chained(master)), name + ", star");
-      chained += !is_same(n, master.fitted);
-      const Vector x = fixed.fix(master, n, {0, 0, 0});
-      CHECK_AT(is_same(x, all.fix(master, n, {0, 0, 0})), name + ", fixed star");
-      for(int follower = random.below(8); follower > 0 && i < d.size(); --follower) {
-        Direction_group g = make_group(random, made_orthogonal(d[i++], x), is_small);
-        Vector a = fit_orthogonal(g.matrix, x, g.fitted), b = a;
-        const bool is_chained = fixed.chain(g, x, g.rounded, a);
-        CHECK_AT(is_chained == all.chain(g, x, g.rounded, b) && is_same(a, b), name + ", follower");
-        chained += is_chained;
-        const std::size_t before = all.fixed.size();
-        const Vector expected = all.fix(g, a, x);
-        CHECK_AT(is_same(fixed.fix(g, a, x), expected), name + ", fixed follower");
-        merged += all.fixed.size() == before;
-      }
+      const Vector x = fixed.fix_star(make_group(random, d[i++], is_small));
+      for(int follower = random.below(8); follower > 0 && i < d.size(); --follower)
+        fixed.fix_follower(make_group(random, made_orthogonal(d[i++], x), is_small), x);
     }
+    chained += fixed.chained;
+    merged += fixed.merged;
   });
   check(chained > 500, "chained directions in all", double(chained));
   check(merged > 100, "directions that became one, in all", double(merged));
 }
 
-// Counts the cells that are looked at.
-template <class Region>
-struct Counted {
-  const Region& region;
-  std::size_t& count;
-
-  bool meets(const Direction_cell& cell, double largest) const
-  {
-    ++count;
-    return region.meets(cell, largest);
-  }
-
-  int nearest_quarter(const Direction_cell& cell) const { return region.nearest_quarter(cell); }
-};
-
-// The cells and directions that are looked at when each direction looks for right angles.
-std::size_t count_of_pairs(const Directions& directions)
+// The work for n directions is less than so many times n^1.5. Most of a lattice are equal: their pairs are quadratic.
+template <class Count>
+void check_work(const std::string& name, double most, Count count)
 {
-  Great_circle_index index;
-  std::size_t count = 0;
-  for(const Vector& d : directions) {
-    const Right_angle_region region(d);
-    index.search(Counted<Right_angle_region>{region, count}, [&](int) { ++count; });
-    index.add(d, 0);
+  constexpr int n = 8000;
+  for(const auto& [family, make] : families) {
+    Random random(3);
+    const double per_root = family == "lattice" ? 0 : double(count(make(random, n))) / (n * std::sqrt(double(n)));
+    check(per_root <= most, name + " of " + family, per_root, most);
   }
-  return count;
 }
 
 // Comparisons for the stars of directions, of which each one can bear an angle.
-std::size_t count_of_stars(const Directions& directions, double sine, double reach)
+std::size_t count_of_stars(const Directions& directions, double reach)
 {
   std::vector<Star_candidate> candidates;
   for(const Vector& d : directions)
-    candidates.push_back({rounded_normal(canonical(d)), sine, reach, int(candidates.size())});
+    candidates.push_back({rounded_normal(canonical(d)), .14, reach, int(candidates.size())});
   std::size_t count = 0;
   find_stars(candidates, [&](const Star_candidate& m, const Star_candidate& j) {
     ++count;
@@ -270,8 +180,6 @@ std::size_t count_of_partners(const Directions& directions)
   Random random(1);
   std::vector<Direction_group> groups;
   Regularity_options options;
-  options.maximum_distance = 1;
-  options.freedom.per_point = 4;
   Fixed_directions fixed(options);
   for(const Vector& d : directions) {
     groups.push_back(make_group(random, d, true));
@@ -287,55 +195,24 @@ std::size_t count_of_partners(const Directions& directions)
   return count;
 }
 
-// Cells and directions that are looked at when groups, in their order, look for one that they can join: those that find
-// none may be joined.
-std::size_t count_of_unions(const Directions& directions)
+// Directions that are looked at when each looks for right angles.
+std::size_t count_of_pairs(const Directions& directions)
 {
-  Random random(1);
-  Directions leaders;
   Great_circle_index index;
   std::size_t count = 0;
   for(const Vector& d : directions) {
-    const Direction_group g = make_group(random, d, false);
-    const double price = 40 + .02 * g.weight;
-    const Near_direction_region region(g.fitted, (std::min)(g.sine, g.bearable_sine(price)));
-    bool joins = false;
-    index.search(Counted<Near_direction_region>{region, count}, [&](int k) {
-      ++count;
-      joins = joins || g.cost(leaders[std::size_t(k)]) <= price;
-    });
-    if(joins)
-      continue;
-    leaders.push_back(g.fitted);
-    index.add(g.fitted, 0);
+    index.search(Right_angle_region(d), [&](int) { ++count; });
+    index.add(d, 0);
   }
   return count;
 }
 
-// The work for n directions is less than so many times n^1.5, and four times as many take no more than 8 times that,
-// within a tenth.
-void check_growth(const std::string& name, double most, const std::function<std::size_t(const Directions&)>& count)
-{
-  constexpr std::size_t n = 8000;
-  for(const auto& [family, make] : families) {
-    if(family == "lattice") // most are equal: the pairs themselves are quadratic
-      continue;
-    Random random(3);
-    const Directions directions = make(random, n);
-    const double large = double(count(directions)), per_root = large / (n * std::sqrt(double(n)));
-    const double small = double(count(Directions(directions.begin(), directions.begin() + n / 4)));
-    check(per_root <= most, name + " of " + family, per_root, most);
-    check(large <= 8.8 * (small + n), name + " of " + family + ", growth", large / small, 8);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(work)
 {
-  check_growth("cells and directions", 40, count_of_pairs);
-  check_growth("stars", 10, [](const Directions& d) { return count_of_stars(d, .14, .14); });
-  check_growth("stars that bear little", 10, [](const Directions& d) { return count_of_stars(d, .14, 1e-3); });
-  check_growth("partners", 10, count_of_partners);
-  check_growth("unions", 10, count_of_unions);
+  check_work("directions", 40, count_of_pairs);
+  check_work("stars", 10, [](const Directions& d) { return count_of_stars(d, .14); });
+  check_work("stars that bear little", 10, [](const Directions& d) { return count_of_stars(d, 1e-3); });
+  check_work("partners", 10, count_of_partners);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step as a whole, on analytic sets of shapes: which become parallel, orthogonal and coplanar, and which
-// do not, switches, and degenerate input.
+// Angles, constrained fits, and the regularity step as a whole on analytic sets of shapes: which
+// become orthogonal and which do not, switches, and degenerate input.
 
 #include "testing/rectangles.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,26 +14,39 @@ BOOST_AUTO_TEST_SUITE(test_regularity)
 
 using namespace CGAL::Tandem::internal;
 
-BOOST_AUTO_TEST_CASE(parallel)
+BOOST_AUTO_TEST_CASE(angles)
 {
-  // short shapes: it costs little to turn them
-  auto small = [](const Vector& n, double z) { return Rectangle{n, {0, 0, z * epsilon}, 3 * epsilon, 3 * epsilon}; };
-  const Regularity_options o = all_on(1000);
-  const Relations r = run({small(polar(0, 88), 0), small(polar(90, 89), 100), small(polar(200, 89), 200),
-                           small(polar(0, 70), 300), small(-polar(10, 90), 400)},
-                          o);
-  check_tables(r, 5, "parallel");
-  for(int i : {1, 2, 4})
-    check_equal(r.direction_of[i], r.direction_of[0], "joins the group, shape " + std::to_string(i));
-  check(r.direction_of[3] != r.direction_of[0], "20 degrees off does not join");
-  check_equal(r.directions.size(), 2u, "directions of the parallel scene");
+  constexpr long double degree = 3.14159265358979323846264338327950288L / 180;
+  for(double d = -725; d <= 725; d += d >= 0 && d < 90 ? .01 : .37) {
+    check_close(sine_deg(d), double(std::sin(d * degree)), 4e-16, "sine of " + std::to_string(d));
+    check_close(cosine_deg(d), double(std::cos(d * degree)), 4e-16, "cosine of " + std::to_string(d));
+  }
+  check_equal(sine_deg(90), 1, "sine of 90");
+  check_equal(cosine_deg(90), 0, "cosine of 90");
+}
 
-  std::vector<Rectangle> chain = {small(polar(0, 0), 0), small(polar(7, 0), 100), small(polar(14, 0), 200)};
-  chain[1].count = 200; // alone it would link the other two
-  const Relations c = run(chain, o);
-  check_equal(c.directions.size(), 2u, "directions of a chain of 7 degrees");
-  check(c.direction_of[0] != c.direction_of[2], "the ends of the chain stay apart");
-  check_equal(run(chain, all_on(.001)).directions.size(), 3u, "directions of a chain that is not worth it");
+BOOST_AUTO_TEST_CASE(constrained_fits)
+{
+  const Vector x = unit({1, 2, 3});
+  const Plane_basis b(x);
+  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}}),
+                  t = make_shape({{1.0, 2.1, -1.8}, {0, 0, 0}, 9000, 5000, 200, 900});
+  const Vector f = fit_orthogonal(s.scatter.matrix, x, s.fit.normal);
+  const Vector g = fit_frame(s.scatter.matrix, t.scatter.matrix, x, s.fit.normal), h = orthogonal_to_both(x, g);
+  check(are_orthogonal(f, x) && are_orthogonal(g, x) && are_orthogonal(h, x) && are_orthogonal(g, h), "constraints");
+  const double one = quadratic_form(s.scatter.matrix, f);
+  const double two = quadratic_form(s.scatter.matrix, g) + quadratic_form(t.scatter.matrix, h);
+  for(int k = 0; k < 3600; ++k) {
+    const Vector v = b.lifted(cosine_deg(0.1 * k), sine_deg(0.1 * k)), w = cross(x, v);
+    check(quadratic_form(s.scatter.matrix, v) >= one * (1 - 1e-12), "a better normal orthogonal to x", k);
+    check(quadratic_form(s.scatter.matrix, v) + quadratic_form(t.scatter.matrix, w) >= two * (1 - 1e-12),
+          "a better frame", k);
+  }
+  // first-order cost of a right angle against the constrained fit
+  const Eigen_system e = eigen_system(s.scatter.matrix);
+  const Vector near = unit(add_scaled(x, -dot(x, e.vector[0]) + 0.02, e.vector[0]));
+  const double exact = quadratic_form(s.scatter.matrix, fit_orthogonal(s.scatter.matrix, near, f)) - e.value[0];
+  check_close(cost_of_right_angle(e, near) / exact, 1, 0.01, "cost of a right angle");
 }
 
 BOOST_AUTO_TEST_CASE(orthogonal)
@@ -68,33 +82,6 @@ BOOST_AUTO_TEST_CASE(chained_frames)
     check_equal(inexact_pairs(r, 4), 0, "nearly orthogonal pairs of house " + std::to_string(seed));
     check_equal(orthogonal_pairs(r.directions).size(), 6u, "right angles of house " + std::to_string(seed));
   }
-}
-
-BOOST_AUTO_TEST_CASE(houses_of_a_village)
-{
-  const std::vector<Rectangle> faces = village();
-  for(double price : {5., 10., 20., 40.}) {
-    const Relations r = run(faces, all_on(price));
-    check_tables(r, faces.size(), "village");
-    check_equal(r.directions.size(), 65u, "directions of the village, price " + std::to_string(price));
-    check_equal(inexact_pairs(r, 0.3), 0, "nearly orthogonal pairs of the village");
-  }
-}
-
-BOOST_AUTO_TEST_CASE(coplanar)
-{
-  auto flat = [](double z, double x) {
-    return Rectangle{{0, 0.001, 1}, {x * epsilon, 0, z * epsilon}, 5 * epsilon, 5 * epsilon, 100};
-  };
-  const Relations r = run({flat(0, 0), flat(0.5, 50), flat(3.5, 100), flat(7, 0), flat(8.3, 50)}, all_on(260));
-  check_tables(r, 5, "coplanar");
-  check_equal(r.plane_of[1], r.plane_of[0], "half an epsilon apart");
-  check_equal(r.planes.size(), 4u, "planes; 3 and 1.3 epsilon apart");
-  check_close(r.planes[0].offset / epsilon, 0.25, 0.06, "mean offset");
-  // the 2000 points of each are moved by a quarter of epsilon, which costs 250 in all
-  const Relations costly = run({flat(0, 0), flat(0.5, 50)}, all_on(240));
-  check_equal(costly.planes.size(), 2u, "planes that are not worth one");
-  check_equal(costly.directions.size(), 1u, "they stay parallel");
 }
 
 BOOST_AUTO_TEST_CASE(switches)

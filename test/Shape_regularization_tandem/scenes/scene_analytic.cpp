@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "scene_models.h"
+#include "scene_model.h"
 
 namespace CGAL::Tandem::scenes {
 

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A house and a village, a street, a tower, and roofs.
 
-#include "scene_models.h"
+#include "scene_model.h"
 
 namespace CGAL::Tandem::scenes {
 
@@ -14,20 +16,21 @@ struct Window_row {
 };
 
 // Windows in a wall frame (x along the wall, y up, z outward), each with a sill.
-void add_windows(Model& model, const Frame& wall, const Window_row& row)
+void add_windows(Model& model, const Frame& wall, const std::vector<Window_row>& rows)
 {
-  for(int i = 0; i < row.count; ++i) {
-    double u = std::fma(i, row.step, row.first), v = row.height;
-    model.add_recess(wall, {u, v, 1.2, 1.4, 0.22});
-    model.add_box(wall, {u - 0.15, v - 0.3, -0.1}, {u + 1.35, v - 0.05, 0.25});
-  }
+  for(const Window_row& row : rows)
+    for(int i = 0; i < row.count; ++i) {
+      double u = std::fma(i, row.step, row.first), v = row.height;
+      model.add_recess(wall, {u, v, 1.2, 1.4, 0.22});
+      model.add_box(wall, {u - 0.15, v - 0.3, -0.1}, {u + 1.35, v - 0.05, 0.25});
+    }
 }
 
 // Front, right, back and left wall of a block [0,w] x [0,d].
 std::array<Frame, 4> wall_frames(const Frame& f, double w, double d)
 {
-  return {f.with_axes({1, 0, 0}, {0, 0, 1}), f.at({w, 0, 0}).with_axes({0, 1, 0}, {0, 0, 1}),
-          f.at({w, d, 0}).with_axes({-1, 0, 0}, {0, 0, 1}), f.at({0, d, 0}).with_axes({0, -1, 0}, {0, 0, 1})};
+  return {f.upright(), f.at({w, 0, 0}).sideways(), f.at({w, d, 0}).with_axes({-1, 0, 0}, {0, 0, 1}),
+          f.at({0, d, 0}).with_axes({0, -1, 0}, {0, 0, 1})};
 }
 
 struct Gabled_block {
@@ -80,7 +83,7 @@ void add_gabled_block(Model& model, const Frame& f, const Gabled_block& block)
 void add_dormer(Model& model, const Frame& f, double x, double width)
 {
   model.add_box(f, {x, 0.9, 6.5}, {x + width, 4.2, 8.9}, side_left | side_right | side_front | side_top);
-  model.add_recess(f.at({x, 0.9, 0}).with_axes({1, 0, 0}, {0, 0, 1}), {0.5, 7.3, width - 1, 1.1, 0.2});
+  model.add_recess(f.at({x, 0.9, 0}).upright(), {0.5, 7.3, width - 1, 1.1, 0.2});
 }
 
 // Steps to a door; the sides of all steps are one face.
@@ -102,6 +105,118 @@ void add_steps(Model& model, const Frame& f, double x, double width, int count)
   }
 }
 
+constexpr double street_length = 120;
+
+void add_car(Model& model, const Frame& f)
+{
+  model.add_box(f, {-2.1, -0.9, -0.1}, {2.1, 0.9, 0.85});
+  model.add_box(f, {-1.1, -0.8, 0.8}, {0.9, 0.8, 1.45});
+}
+
+// A trunk, and small balls for the crown.
+void add_tree(Model& model, const Frame& f)
+{
+  model.curved.push_back({f, 0.15, 3, false});
+  for(int i = 0; i < 24; ++i) {
+    double x = (i * 7) % 11 / 5. - 1, y = (i * 5) % 13 / 6. - 1, z = (i * 3) % 7 / 3.;
+    model.curved.push_back({f.at({1.3 * x, 1.3 * y, std::fma(0.9, z, 3.2)}), 0.3, 0, false});
+  }
+}
+
+// Pavement, curb and houses on one side: the road lies at y < 0 of the frame.
+void add_street_side(Model& model, const Frame& f)
+{
+  model.add_rectangle(f.upright(), street_length, 0.12);
+  model.add_rectangle(f.at({0, 0, 0.12}), street_length, 2.5);
+  for(int i = 0; i < 6; ++i) {
+    double setback = std::fma(0.3, i * 2 % 5, 2.5);
+    Frame house = f.at({20. * i + 1, setback, 0.12});
+    model.add_box(house, {0, 0, -0.2}, {18, 9, 7. + i * 3 % 4}, side_left | side_right | side_front | side_top);
+    Frame wall = house.upright();
+    for(int k = 0; k < 4; ++k)
+      for(double height : {1.2, 4.2})
+        model.add_recess(wall, {std::fma(4.3, k, 1.5), height, 1.4, 1.7, 0.2});
+    if(i % 2 == 0)
+      add_tree(model, f.at({20. * i + 10, 0.8, 0.12}));
+    model.curved.push_back({f.at({20. * i + 0.5, 0.4, 0.12}), 0.08, 6, false});
+  }
+}
+
+// A prism of six sides about the z axis of its frame
+struct Hexagon {
+  double apothem, bottom, top;
+  unsigned lids;
+};
+
+// The prism with the lids that are asked for, and its solid.
+void add_hexagon(Model& model, const Frame& f, const Hexagon& h)
+{
+  const double apothem = h.apothem, bottom = h.bottom, top = h.top, half = 0.5773502691896258 * apothem;
+  std::vector<Vec> upper, lower;
+  // Without a lid it reaches into what it stands on.
+  double root = h.lids & side_bottom ? 0 : 0.1;
+  Convex solid = {Model::half_space(f, {0, 0, -1}, root - bottom), Model::half_space(f, {0, 0, 1}, top)};
+  Frame side = f;
+  for(int i = 0; i < 6; ++i, side = side.turned({0, 0, 1}, 0.5773502691896258)) {
+    Frame wall = side.at({apothem, -half, bottom}).sideways();
+    model.add_rectangle(wall, 2 * half, top - bottom);
+    solid.push_back(Model::half_space(side, {1, 0, 0}, apothem));
+    upper.push_back(side.point({apothem, half, top}));
+    lower.push_back(side.point({apothem, half, bottom}));
+  }
+  std::reverse(lower.begin(), lower.end());
+  if(h.lids & side_top)
+    model.add_face(Frame(), upper);
+  if(h.lids & side_bottom)
+    model.add_face(Frame(), lower);
+  model.solids.push_back(solid);
+}
+
+constexpr double width = 12, depth = 9;
+
+// Two slopes that meet in a ridge along x, over [0, length] x [0, span]; hipped: at its ends as well.
+void add_ridge(Model& model, const Frame& f, double length, double span, double slope, bool is_hipped = false)
+{
+  const double in = is_hipped ? span / 2 : 0, top = slope * span / 2;
+  const Vec a{in, span / 2, top}, b{length - in, span / 2, top};
+  model.add_face(f, {{0, 0, 0}, {length, 0, 0}, b, a});
+  if(is_hipped)
+    model.add_face(f, {{length, 0, 0}, {length, span, 0}, b});
+  model.add_face(f, {{length, span, 0}, {0, span, 0}, a, b});
+  if(is_hipped)
+    model.add_face(f, {{0, span, 0}, {0, 0, 0}, a});
+}
+
+// Two gabled ones and a flat one.
+void add_dormers(Model& model, const Frame& f)
+{
+  for(double x : {2., 8.4})
+    add_ridge(model, f.at({x + 2.2, 0.8, 1.4}).with_axes({0, 1, 0}, {-1, 0, 0}), 3.2, 2.2, 0.75);
+  model.add_rectangle(f.at({5, 1, 2.1}), 2.2, 2.5);
+}
+
+void add_mansard(Model& model, const Frame& f)
+{
+  const double in = 1.6, up = 2.2;
+  const std::vector<Vec> low = {{0, 0, 0}, {width, 0, 0}, {width, depth, 0}, {0, depth, 0}};
+  const std::vector<Vec> high = {
+    {in, in, up}, {width - in, in, up}, {width - in, depth - in, up}, {in, depth - in, up}};
+  for(std::size_t i = 0; i < 4; ++i)
+    model.add_face(f, {low[i], low[(i + 1) % 4], high[(i + 1) % 4], high[i]});
+  add_ridge(model, f.at(high[0]), width - 2 * in, depth - 2 * in, 0.3);
+}
+
+// Three saw teeth, steep and flat sides, and a lower flat part with a skylight.
+void add_hall(Model& model, const Frame& f)
+{
+  for(double x : {0., 3., 6.}) {
+    model.add_face(f, {{x, 0, 0}, {x + 2.2, 0, 1.1}, {x + 2.2, depth, 1.1}, {x, depth, 0}});
+    model.add_face(f, {{x + 2.2, 0, 1.1}, {x + 3, 0, 0}, {x + 3, depth, 0}, {x + 2.2, depth, 1.1}});
+  }
+  model.add_rectangle(f.at({9, 0, -0.5}), 3, depth);
+  model.add_rectangle(f.at({9.6, 3, -0.1}).turned({1, 0, 0}, 0.05), 1.8, 3);
+}
+
 } // namespace
 
 Model make_house()
@@ -110,24 +225,19 @@ Model make_house()
   Frame f = Frame().turned({0, 0, 1}, 0.14);
   add_gabled_block(model, f, {12, 9, 6, 0.6});
   auto walls = wall_frames(f, 12, 9);
-  add_windows(model, walls[0], {1, 2.2, 1, 1.3});
-  add_windows(model, walls[0], {8, 2.2, 1, 1.3});
-  add_windows(model, walls[0], {1, 2.9, 4, 4.1});
-  add_windows(model, walls[2], {1, 2.9, 4, 1.3});
-  add_windows(model, walls[2], {1, 2.9, 4, 4.1});
-  add_windows(model, walls[1], {1.4, 2.6, 3, 4.1});
-  add_windows(model, walls[3], {1.4, 2.6, 3, 1.3});
-  add_windows(model, walls[3], {1.4, 2.6, 3, 4.1});
+  add_windows(model, walls[0], {{1, 2.2, 1, 1.3}, {8, 2.2, 1, 1.3}, {1, 2.9, 4, 4.1}});
+  add_windows(model, walls[2], {{1, 2.9, 4, 1.3}, {1, 2.9, 4, 4.1}});
+  add_windows(model, walls[1], {{1.4, 2.6, 3, 4.1}});
+  add_windows(model, walls[3], {{1.4, 2.6, 3, 1.3}, {1.4, 2.6, 3, 4.1}});
   model.add_recess(walls[0], {4.5, 0.9, 1.4, 2.2, 0.3});
   add_steps(model, f, 4.1, 2.2, 4);
   add_dormer(model, f, 1.5, 2.6);
   add_dormer(model, f, 7.2, 2.2);
   model.add_box(f, {8.6, 5.4, 5}, {9.8, 6.4, 10.8}, side_walls | side_top);
   model.add_box(f, {11.9, 1.5, -1}, {16.5, 8, 3.1}, side_front | side_right | side_back | side_top);
-  model.add_recess(f.at({12, 1.5, 0}).with_axes({1, 0, 0}, {0, 0, 1}), {0.8, 0.05, 2.9, 2.4, 0.35});
+  model.add_recess(f.at({12, 1.5, 0}).upright(), {0.8, 0.05, 2.9, 2.4, 0.35});
   model.add_rectangle(f.at({-4, -5, 0}), 24, 18);
-  for(Vec p : {Vec{-4, -5, 1.7}, Vec{18, -4, 1.7}, Vec{17, 12, 1.7}, Vec{-3, 13, 1.7}, Vec{6, -5, 14}})
-    model.scanners.push_back(f.point(p));
+  model.add_scanners(f, {{-4, -5, 1.7}, {18, -4, 1.7}, {17, 12, 1.7}, {-3, 13, 1.7}, {6, -5, 14}});
   return model;
 }
 
@@ -151,101 +261,63 @@ Model make_village()
   return model;
 }
 
-void add_table(Model& model, const Frame& f, double width, double depth, double height)
-{
-  model.add_box(f, {0, 0, height - 0.04}, {width, depth, height}, side_all);
-  for(double x : {0.05, width - 0.13})
-    for(double y : {0.05, depth - 0.13})
-      model.add_box(f, {x, y, -0.1}, {x + 0.08, y + 0.08, height - 0.04}, side_walls);
-}
-
-void add_shelf(Model& model, const Frame& f, double width, double height, int boards)
-{
-  model.add_box(f, {0, 0, -0.1}, {width, 0.5, height}, side_left | side_right | side_front | side_top);
-  Frame front = f.with_axes({1, 0, 0}, {0, 0, 1});
-  double step = (height - 0.05) / boards;
-  for(int i = 0; i < boards; ++i)
-    model.add_recess(front, {0.04, std::fma(i, step, 0.05), width - 0.08, step - 0.05, 0.36});
-}
-
-namespace {
-
-void add_room(Model& model, const Frame& f, double width, double depth, double height)
-{
-  model.add_box_faces(f, {0, 0, 0}, {width, depth, height}, side_all, true);
-  for(double x : {0.3, 0.7})
-    model.scanners.push_back(f.point({x * width, 0.45 * depth, 1.6}));
-}
-
-} // namespace
-
-Model make_indoor()
+Model make_street()
 {
   Model model;
-  Frame f = Frame().turned({0, 0, 1}, 0.22);
-  add_room(model, f, 6, 5, 2.7);
-  add_room(model, f.at({6.2, 0, 0}), 4.5, 5, 2.7);
-  add_room(model, f.at({0, 5.2, 0}), 10.7, 3.5, 2.9);
-  // Doors go through walls of 0.2; their voids cut both faces of the wall.
-  for(const Frame& door :
-      {f.at({6, 1, 0}).with_axes({0, 1, 0}, {0, 0, 1}), f.at({3, 5.2, 0}).with_axes({1, 0, 0}, {0, 0, 1})}) {
-    model.add_box_faces(door, {0, 0, 0}, {0.9, 2.1, 0.2}, side_left | side_right | side_back, true);
-    model.voids.push_back(Model::box(door, {0, 0, -0.1}, {0.9, 2.1, 0.3}));
+  Frame f = Frame().turned({0, 0, 1}, 0.31);
+  model.add_rectangle(f.at({0, -4.5, 0}), street_length, 9);
+  add_street_side(model, f.at({0, 4.5, 0}));
+  add_street_side(model, f.at({street_length, -4.5, 0}).with_axes({-1, 0, 0}, {0, -1, 0}));
+  for(int i = 0; i < 5; ++i) {
+    add_car(model, f.at({std::fma(21, i, 12.), 3.3, 0}).turned({0, 0, 1}, 0.01 * (i - 2)));
+    add_car(model, f.at({std::fma(23, i, 7.), -3.3, 0}).turned({0, 0, 1}, 0.008 * (2 - i)));
   }
-  Frame left_wall = f.at({0, 0, 0}).with_axes({0, 1, 0}, {0, 0, 1});
-  for(double u : {0.7, 2.9})
-    model.add_recess(left_wall, {u, 0.9, 1.4, 1.3, 0.15});
-  add_table(model, f.at({2, 1.6, 0}), 1.8, 0.9, 0.75);
-  add_table(model, f.at({7.2, 2.0, 0}).turned({0, 0, 1}, 0.13), 1.6, 0.8, 0.72);
-  add_table(model, f.at({6, 6.2, 0}), 2.2, 1, 0.76);
-  add_shelf(model, f.at({1.2, 4.6, 0}), 2.4, 2.0, 5);
-  add_shelf(model, f.at({8, 4.6, 0}), 1.8, 1.8, 4);
-  add_shelf(model, f.at({0.4, 8.3, 0}), 2, 2, 4);
-  model.add_box(f.at({4.4, 0.1, 0}), {0, 0, -0.1}, {1.2, 0.6, 0.9});
-  model.add_box(f.at({9.1, 0.3, 0}), {0, 0, -0.1}, {1.4, 2, 0.5});
-  model.add_box(f.at({9.15, 0.4, 0}), {0.1, 1.3, 0.49}, {1.1, 1.7, 0.64});
-  model.add_box(f.at({2.4, 1.8, 0.75}).turned({0, 0, 1}, 0.1), {0, 0, -0.01}, {0.35, 0.25, 0.06});
-  model.add_box(f.at({3.1, 2.0, 0.75}), {0, 0, -0.01}, {0.3, 0.2, 0.18});
-  model.add_box(f.at({8.5, 6.5, 0}).turned({0, 0, 1}, -0.18), {0, 0, -0.1}, {0.8, 0.8, 0.45});
+  for(int i = 0; i <= 60; ++i)
+    model.scanners.push_back(f.point({2. * i, -0.8, 2.2}));
   return model;
 }
 
-void add_cylinder(Model& model, const Frame& f, double radius, double height, bool is_hole)
-{
-  double top = height + (is_hole ? 0.1 : -1e-6);
-  Convex prism = {Model::half_space(f, {0, 0, -1}, 0.1), Model::half_space(f, {0, 0, 1}, top)};
-  Frame turned = f;
-  for(int i = 0; i < 16; ++i, turned = turned.turned({0, 0, 1}, 0.198912367379658))
-    prism.push_back(Model::half_space(turned, {1, 0, 0}, radius));
-  (is_hole ? model.voids : model.solids).push_back(prism);
-  model.curved.push_back({f, radius, height, is_hole});
-}
-
-Model make_part()
+Model make_tower()
 {
   Model model;
-  Frame f = Frame().turned({0.3, 0.5, 1}, 0.3);
-  Convex block = Model::box(f, {0, 0, 0}, {10, 6, 3});
-  block.push_back(Model::half_space(f, {0.6, 0, 0.8}, 7.2));
-  model.solids.push_back(block);
-  model.add_face(f, {{0, 0, 0}, {10, 0, 0}, {10, 0, 1.5}, {8, 0, 3}, {0, 0, 3}});
-  model.add_face(f, {{0, 6, 0}, {0, 6, 3}, {8, 6, 3}, {10, 6, 1.5}, {10, 6, 0}});
-  model.add_box_faces(f, {0, 0, 0}, {10, 6, 1.5}, side_right | side_bottom);
-  model.add_box_faces(f, {0, 0, 0}, {8, 6, 3}, side_left | side_top);
-  model.add_face(f, {{10, 0, 1.5}, {10, 6, 1.5}, {8, 6, 3}, {8, 0, 3}});
-  Frame top = f.at({0, 0, 3});
-  model.add_recess(top, {2, -0.001, 0.8, 6.002, 1, side_left | side_right});
-  model.add_recess(top, {4.2, 3.4, 2.2, 1.8, 1.2});
-  for(int i = 0; i < 3; ++i)
-    model.add_box(f, {-0.6 * (i + 1), std::fma(0.2, i, 1), 0},
-                  {std::fma(-0.6, i, 0.1), std::fma(-0.2, i, 5), std::fma(-0.6, i, 2.4)},
-                  side_left | side_front | side_back | side_top);
-  model.add_box(f.at({5.2, 1.6, 3}).turned({0, 0, 1}, 0.2679491924311227), {-0.8, -0.8, -0.1}, {0.8, 0.8, 0.7});
-  add_cylinder(model, f.at({1, 3, 3}), 0.7, 1.5, false);
-  model.add_face(f, {{0.5, 2.5, 4.5}, {1.5, 2.5, 4.5}, {1.5, 3.5, 4.5}, {0.5, 3.5, 4.5}});
-  add_cylinder(model, f.at({7, 1.2, 0}), 0.6, 3, true);
-  for(Vec p : {Vec{-4, -4, 8}, Vec{14, 3, 8}, Vec{4, 12, 2}})
-    model.scanners.push_back(f.point(p));
+  Frame f = Frame().turned({0.2, -0.3, 1}, 0.4);
+  add_hexagon(model, f, {3.2, 0, 1.4, side_top});
+  add_hexagon(model, f, {2.4, 1.4, 12, 0});
+  add_hexagon(model, f, {2.8, 6.8, 7.2, side_top | side_bottom});
+  add_hexagon(model, f, {2.8, 11.6, 12, side_top | side_bottom});
+  Frame side = f;
+  Vec apex = f.point({0, 0, 16});
+  Convex spire = {Model::half_space(f, {0, 0, -1}, -11.9)};
+  for(int i = 0; i < 6; ++i, side = side.turned({0, 0, 1}, 0.5773502691896258)) {
+    Frame wall = side.at({2.4, -1.3856406460551018, 0}).sideways();
+    model.add_recess(wall, {0.75, 3, 1.27, 2.4, 0.35});
+    model.add_recess(wall, {0.55, 8.6, 1.67, 1.67, 0.2});
+    double half = 0.5773502691896258 * 2.4;
+    model.add_face(Frame(), {side.point({2.4, -half, 12}), side.point({2.4, half, 12}), apex});
+    spire.push_back(model.faces.back());
+    model.scanners.push_back(side.point({14, 0, 3}));
+  }
+  model.solids.push_back(spire);
+  model.add_face(f, {{-6, -6, 0}, {6, -6, 0}, {6, 6, 0}, {-6, 6, 0}});
+  return model;
+}
+
+Model make_roof(const std::string& kind)
+{
+  Model model;
+  const Frame f = Frame().turned({0, 0, 1}, 0.21);
+  if(kind == "mansard")
+    add_mansard(model, f);
+  else if(kind == "hall")
+    add_hall(model, f);
+  else if(kind == "hip" || kind == "villa")
+    add_ridge(model, f, width, depth, 0.7, true);
+  else
+    add_ridge(model, f, width, depth, kind == "low" ? 0.2 : 0.75);
+  if(kind == "dormers" || kind == "villa")
+    add_dormers(model, f);
+  if(kind == "wing" || kind == "villa")
+    add_ridge(model, f.at({9, -4, -0.3}).with_axes({0, 1, 0}, {-1, 0, 0}), 8.5, 6, 0.75);
   return model;
 }
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a generated scene is made of: planar faces, curved patches, and the
-// convex volumes that hide parts of them. The same bits on every machine: only
-// + - * / sqrt fma are used, and turned parts are placed by quaternions.
+// What a generated scene is made of: planar faces, curved patches, and the convex volumes that hide parts of them; and the
+// models of all scenes. The same bits on every machine: only + - * / sqrt fma are used, and turned parts are placed by
+// quaternions.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_MODEL_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_MODEL_H
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL::Tandem::scenes {
@@ -62,15 +63,20 @@ struct Frame {
     return {origin, new_x, cross(new_z, new_x), new_z};
   }
 
+  // Of walls, with the third axis upwards: their normals are -y and x.
+  Frame upright() const { return with_axes({1, 0, 0}, {0, 0, 1}); }
+  Frame sideways() const { return with_axes({0, 1, 0}, {0, 0, 1}); }
+
   // Axes: u and v as given (in this frame, orthogonal), and their cross product.
   Frame with_axes(const Vec& u, const Vec& v) const { return {origin, vector(u), vector(v), vector(cross(u, v))}; }
 };
 
-struct Half_space {
+// normal . p + offset is 0, and negative inside of what it bounds.
+struct Plane {
   Vec normal;
-  double offset; // inside: normal . p + offset < 0
+  double offset;
 };
-using Convex = std::vector<Half_space>;
+using Convex = std::vector<Plane>;
 
 // A surface that is not quite planar: a parabola along an axis in the plane of its face, which lies at its mean height.
 struct Bend {
@@ -93,9 +99,7 @@ private:
   double position(const Vec& p) const { return (dot(axis, p) - first) / (last - first); }
 };
 
-struct Face {
-  Vec normal;    // unit, outward
-  double offset; // normal . p + offset = 0
+struct Face : Plane { // with a unit normal, outward
   std::vector<std::array<Vec, 3>> triangles;
   Bend bend{};
 };
@@ -128,7 +132,7 @@ struct Model {
   std::size_t add_face(const Frame& frame, const std::vector<Vec>& corners)
   {
     Vec normal = unit(frame.vector(cross(corners[1] - corners[0], corners[2] - corners[0])));
-    faces.push_back({normal, -dot(normal, frame.point(corners[0])), {}, {}});
+    faces.push_back({{normal, -dot(normal, frame.point(corners[0]))}, {}, {}});
     extend_face(faces.size() - 1, frame, corners);
     return faces.size() - 1;
   }
@@ -153,32 +157,32 @@ struct Model {
     faces.back().bend = {frame.x, first, first + width, sag};
   }
 
-  // The faces of an axis-parallel box of `frame`; `sign` -1: seen from inside.
+  // The faces of an axis-parallel box of `frame`, of these sides, seen from outside or from inside.
   void add_box_faces(const Frame& frame, const Vec& a, const Vec& b, unsigned sides, bool is_inward = false)
   {
-    auto add = [&](std::vector<Vec> corners) {
-      if(is_inward)
-        std::reverse(corners.begin(), corners.end());
-      add_face(frame, corners);
-    };
-    if(sides & side_left)
-      add({{a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}});
-    if(sides & side_right)
-      add({{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, {b.x, a.y, b.z}});
-    if(sides & side_front)
-      add({{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}});
-    if(sides & side_back)
-      add({{a.x, b.y, a.z}, {a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}});
-    if(sides & side_bottom)
-      add({{a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, {b.x, a.y, a.z}});
-    if(sides & side_top)
-      add({{a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}});
+    static const int corners_of[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}; // bits: b instead of a
+    for(int side = 0; side < 6; ++side)
+      if(sides >> side & 1) {
+        std::vector<Vec> corners;
+        for(int c : corners_of[side])
+          corners.push_back({c & 1 ? b.x : a.x, c & 2 ? b.y : a.y, c & 4 ? b.z : a.z});
+        if(is_inward)
+          std::reverse(corners.begin(), corners.end());
+        add_face(frame, corners);
+      }
   }
 
   void add_box(const Frame& frame, const Vec& a, const Vec& b, unsigned sides = side_visible)
   {
     add_box_faces(frame, a, b, sides);
     solids.push_back(box(frame, a, b));
+  }
+
+  void add_scanners(const Frame& frame, const std::vector<Vec>& places)
+  {
+    for(const Vec& p : places)
+      scanners.push_back(frame.point(p));
   }
 
   // A recess in a wall: `wall` has its z axis outward and its origin in the wall.
@@ -188,7 +192,7 @@ struct Model {
     voids.push_back(box(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0.1 * r.height}));
   }
 
-  static Half_space half_space(const Frame& frame, const Vec& normal, double distance)
+  static Plane half_space(const Frame& frame, const Vec& normal, double distance)
   {
     Vec n = frame.vector(normal);
     return {n, -(dot(n, frame.origin) + distance)};
@@ -205,7 +209,7 @@ struct Model {
   static bool is_inside(const Convex& convex, const Vec& p, double margin)
   {
     return std::all_of(convex.begin(), convex.end(),
-                       [&](const Half_space& h) { return dot(h.normal, p) + h.offset < -margin; });
+                       [&](const Plane& h) { return dot(h.normal, p) + h.offset < -margin; });
   }
 
   bool is_hidden(const Vec& p, double margin) const
@@ -230,6 +234,93 @@ struct Model {
     return std::any_of(face.triangles.begin(), face.triangles.end(), holds) && !is_hidden(p, margin);
   }
 };
+
+// The models of scenes. Lengths in metres, or units.
+
+// --- Small ones, whose shapes, directions and planes can be counted by hand
+
+// 6 faces, 3 directions, 6 planes: complexity 9/18.
+Model make_cube(const Frame& frame = Frame());
+
+// The faces of a turned cube, each tilted by `degrees` about an own axis: right
+// angles hold only within 2 `degrees`, opposite faces are parallel within as much.
+Model make_tilted_cube(double degrees = 2);
+
+// 2 n faces, 2 directions, 2 n planes.
+Model make_staircase(int steps = 8);
+
+// Two coplanar squares: 2 faces with a gap, otherwise 1.
+Model make_squares(double gap);
+
+// A long plane of slope `degrees` that begins at the end of a flat one, beside
+// another flat one: must neither be flattened nor cut into terraces.
+Model make_slope(double degrees = 2);
+
+// Separate squares, each turned by `degrees` against the one before.
+Model make_chained(double degrees = 5, int count = 3);
+
+// A master and two followers orthogonal to it that enclose 53.13 degrees.
+Model make_two_followers();
+
+// Two parallel squares side by side, the second higher by `offset`.
+Model make_offset_pair(double offset);
+
+Model make_sphere();
+
+// --- Floors, roads and roofs that are not quite planar, as real ones. How much they bend in units of epsilon is up to the
+// epsilon they are detected with. The truth of a bent face is its mean plane.
+
+// 8 by 5 m. Floor and ceiling sag by 2 and 4 cm, a wall is planar. A board hangs 2.2 cm before that wall, and another
+// one 6 cm: layers. Columns of three radii.
+Model make_bent_hall();
+
+// 30 m of a road that is 12 cm lower in its middle, with a planar wall, and two roofs warped by 6 cm, to either side.
+Model make_bent_road();
+
+// --- A house with windows and roof, sixteen turned houses, furnished rooms, a mechanical part
+
+Model make_house();
+
+// Sixteen houses, each turned 2.9 degrees more than the one before: 65 directions
+// (two of the walls and two of the roof for each house, and the vertical).
+Model make_village();
+
+Model make_indoor();
+
+// A block with a slot, steps, a chamfer, a pocket, a boss and holes.
+Model make_part();
+
+// --- Those of scene_twins.h: a street, a tower, a small room, and an object whose surface is mostly curved
+
+// As a mobile mapping system passes it, in the middle of the road.
+Model make_street();
+
+// A clock tower of six sides, with a plinth, two ledges, windows and a spire.
+Model make_tower();
+
+// One furnished room, seen from a few places, in the frame of the first camera.
+Model make_study();
+
+// A plate with balls and drums: two thirds of the surface are curved.
+Model make_curved();
+
+// --- Those of the labeled frames
+
+// A furnished room of 6 by 5 by 2.7 m: tables, shelves, boxes; and cylinders and a ball, which are clutter.
+Model make_office();
+
+// A room of 17 planes; floor, ceiling, walls, boards, and doors are parallel to others but for 2 to 5 degrees.
+Model make_tilted_room();
+
+// The roof of a house of 12 by 9 m without its walls: gable, low, hip, dormers, wing, mansard,
+// hall (saw teeth), villa (hip, wing and dormers).
+Model make_roof(const std::string& kind);
+
+// A wall of 4 by 3 m in the xz plane, and three boards of different sizes at the distance `gap` before it.
+Model make_boards(double gap);
+
+// Five strips of .8 by 3 m side by side; the second and the fourth are higher by `gap`.
+Model make_strips(double gap);
 
 } // namespace CGAL::Tandem::scenes
 

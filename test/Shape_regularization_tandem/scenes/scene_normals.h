@@ -20,21 +20,17 @@ namespace CGAL::Tandem::scenes {
 inline std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k = 20)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-  std::vector<Point_with_normal> range;
-  range.reserve(points.size());
-  // Relative to the first point: eigenvectors lose digits far from the origin.
-  for(const Vec& p : points) {
-    Vec q = p - points[0];
-    range.emplace_back(Kernel::Point_3(q.x, q.y, q.z), Kernel::Vector_3(0, 0, 1));
+  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  std::vector<Item> items;
+  for(const Vec& p : points) { // relative to the first point: eigenvectors lose digits far from the origin
+    const Vec q = p - points[0];
+    items.emplace_back(Kernel::Point_3(q.x, q.y, q.z), Kernel::Vector_3(0, 0, 1));
   }
-  pca_estimate_normals<Parallel_if_available_tag>(range, k,
-                                                  parameters::point_map(First_of_pair_property_map<Point_with_normal>())
-                                                    .normal_map(Second_of_pair_property_map<Point_with_normal>()));
+  const auto list = parameters::point_map(First_of_pair_property_map<Item>());
+  pca_estimate_normals<Parallel_if_available_tag>(items, k, list.normal_map(Second_of_pair_property_map<Item>()));
   std::vector<Vec> normals;
-  normals.reserve(points.size());
-  for(const Point_with_normal& p : range)
-    normals.push_back({p.second.x(), p.second.y(), p.second.z()});
+  for(const auto& [p, n] : items)
+    normals.push_back({n.x(), n.y(), n.z()});
   return normals;
 }
 

@@ -8,13 +8,13 @@ namespace CGAL::Tandem::scenes {
 const std::vector<Twin>& twins()
 {
   static const std::vector<Twin> all = {
-    {"terrestrial", "terrestrial laser", make_house, {0.003, 0, 0, 0.002, 0, 1}, 0.01, true, 0.03, 25.842, 0.1, 3e-4},
-    {"kinect", "depth camera", make_study, {0.003, 2, 0.0028, 0.006, 0, 1}, 0.01, true, 0.03, 36.87, 0.1, 7e-4},
-    {"street", "mobile mapping", make_street, {0.008, 0, 0, 0.01, 0, 1}, 0.02, true, 0.06, 36.87, 0.3, 4e-4},
-    {"aerial", "aerial laser", make_village, {0.03, 0, 0, 0, 0, 1}, 0.03, false, 0.15, 25.842, 1, 3e-4},
-    {"multiview", "multi-view stereo", make_tower, {0.006, 0, 0, 0, 0.015, 0.4}, 0.01, true, 0.03, 36.87, 0.1, 3e-4},
-    {"mechanical", "sampled part", make_part, {}, 0, false, 0.02, 25.842, 0.1, 7e-4},
-    {"curved", "curved object", make_curved, {0.003, 0, 0, 0, 0, 1}, 0, false, 0.03, 25.842, 0.2, 5e-4}};
+    {"terrestrial", make_house, {0.003, 0, 0, 0.002, 0, 1}, 0.01, true, 0.03, 25.842, 0.1, 3e-4},
+    {"kinect", make_study, {0.003, 2, 0.0028, 0.006, 0, 1}, 0.01, true, 0.03, 36.87, 0.1, 7e-4},
+    {"street", make_street, {0.008, 0, 0, 0.01, 0, 1}, 0.02, true, 0.06, 36.87, 0.3, 4e-4},
+    {"aerial", make_village, {0.03, 0, 0, 0, 0, 1}, 0.03, false, 0.15, 25.842, 1, 3e-4},
+    {"multiview", make_tower, {0.006, 0, 0, 0, 0.015, 0.4}, 0.01, true, 0.03, 36.87, 0.1, 3e-4},
+    {"mechanical", make_part, {}, 0, false, 0.02, 25.842, 0.1, 7e-4},
+    {"curved", make_curved, {0.003, 0, 0, 0, 0, 1}, 0, false, 0.03, 25.842, 0.2, 5e-4}};
   return all;
 }
 
@@ -49,15 +49,6 @@ Vec smooth_noise(const Vec& p, std::uint64_t seed)
   return sum;
 }
 
-std::size_t nearest_scanner(const std::vector<Vec>& scanners, const Vec& p)
-{
-  std::size_t nearest = 0;
-  for(std::size_t s = 1; s < scanners.size(); ++s)
-    if(dot(scanners[s] - p, scanners[s] - p) < dot(scanners[nearest] - p, scanners[nearest] - p))
-      nearest = s;
-  return nearest;
-}
-
 // The range as the sensor reports it.
 double measured_range(double range, const Sensor_errors& sensor, Random& random)
 {
@@ -75,11 +66,14 @@ void apply_errors(const Sensor_errors& sensor, const std::vector<Vec>& scanners,
   for(std::size_t s = 0; s < scanners.size(); ++s)
     offset.push_back(sensor.registration * random.gaussian_vector());
   for(Vec& p : scene.points) {
-    std::size_t s = nearest_scanner(scanners, p);
-    Vec ray = p - scanners[s];
-    double range = length(ray);
-    Vec rough = sensor.roughness > 0 ? smooth_noise((2 / sensor.wavelength) * p, seed) : Vec{0, 0, 0};
-    p = add_scaled(scanners[s], measured_range(range, sensor, random) / range, ray) + offset[s];
+    const auto squared = [&](const Vec& s) { return dot(s - p, s - p); };
+    const auto nearest = std::min_element(scanners.begin(), scanners.end(),
+                                          [&](const Vec& a, const Vec& b) { return squared(a) < squared(b); });
+    const Vec ray = p - *nearest,
+              rough = sensor.roughness > 0 ? smooth_noise((2 / sensor.wavelength) * p, seed) : Vec{0, 0, 0};
+    const double range = length(ray);
+    p = add_scaled(*nearest, measured_range(range, sensor, random) / range, ray) +
+        offset[std::size_t(nearest - scanners.begin())];
     p = add_scaled(p, sensor.roughness, rough);
   }
 }

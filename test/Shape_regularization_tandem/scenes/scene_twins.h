@@ -22,7 +22,7 @@ struct Sensor_errors {
 };
 
 struct Twin {
-  std::string name, kind;
+  std::string name;
   Model (*model)();
   Sensor_errors sensor;
   double outliers;

@@ -141,8 +141,7 @@ Scene make_scene(const Model& model, const Options& options)
   Random random(options.seed);
   Bounds box = bounds(model);
   scene.diagonal = length(box.high - box.low);
-  for(const Face& face : model.faces)
-    scene.faces.push_back({face.normal, face.offset});
+  scene.faces.assign(model.faces.begin(), model.faces.end());
   Sampler sampler(model, options, scene.diagonal);
   Vec extent = box.high - box.low;
   for(std::size_t i = 0; i < options.points; ++i) {

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Point clouds with ground truth, sampled from the models of scene_models.h: with noise, outliers, the density of a scanner, and
+// Point clouds with ground truth, sampled from the models of scene_model.h: with noise, outliers, the density of a scanner, and
 // normals that are exact, perturbed, or absent. The same options give the same
 // bits on every machine. (Normals as a neighborhood fit blends them at edges: scene_normals.h.)
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 
-#include "scene_models.h"
+#include "scene_model.h"
 
 #include <stdexcept>
 #include <string>
@@ -72,10 +72,7 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-struct Truth_face {
-  Vec normal;
-  double offset; // normal . p + offset = 0
-};
+using Truth_face = Plane;
 
 struct Scene {
   std::vector<Vec> points;

@@ -15,6 +15,8 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_requests)
@@ -62,22 +64,17 @@ private:
   Engine<Sequential_backend> engine_;
 };
 
-struct Sums {
-  Moments moments;
-  Box box;
-};
-
-std::map<std::uint32_t, Sums> sums_of_labels(const State& t)
+std::map<std::uint32_t, std::pair<Moments, Box>> sums_of_labels(const State& t)
 {
   const Surfels_view surfels = t.points.cloud.surfels();
-  std::map<std::uint32_t, Sums> sums;
+  std::map<std::uint32_t, std::pair<Moments, Box>> sums;
   for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
     if(t.points.label()[i] < first_mark) {
-      Sums& s = sums[t.points.label()[i]];
+      auto& [moments, box] = sums[t.points.label()[i]];
       const Range points = surfels.points(i);
       for(std::uint32_t p = points.first; p < points.last; ++p) {
-        s.moments.add(surfels.point[p], 1);
-        s.box.add(surfels.point[p]);
+        moments.add(surfels.point[p], 1);
+        box.add(surfels.point[p]);
       }
     }
   return sums;
@@ -99,19 +96,20 @@ bool is_same_plane(const Plane& a, const Plane& b)
 
 void check_state(const State& t, const std::string& where)
 {
-  const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
+  const auto sums = sums_of_labels(t);
   const Shape_table<Sequential_backend>& shapes = t.shapes;
   for(std::size_t size : {shapes.table().size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()})
     CHECK_AT(size >= shapes.size, where + ": a table is too small");
-  for(const auto& s : sums) {
-    const std::string shape = where + ", shape " + std::to_string(s.first);
-    if(s.first >= shapes.size || !shapes.table()[s.first].is_live()) {
-      CHECK_AT(false, shape + " has " + std::to_string(s.second.moments.count) + " points, but is not live");
+  for(const auto& [id, sum] : sums) {
+    const std::string name = where + ", shape " + std::to_string(id);
+    if(id >= shapes.size || !shapes.table()[id].is_live()) {
+      CHECK_AT(false, name + " has " + std::to_string(sum.first.count) + " points, but is not live");
       continue;
     }
-    CHECK_AT(are_equal(shapes.table()[s.first].moments, s.second.moments), shape + ": moments");
-    CHECK_AT(contains(shapes.table()[s.first].box, s.second.box), shape + ": box");
-    CHECK_AT(is_same_plane(shapes.plane[s.first], rounded(shapes.table()[s.first].plane)), shape + ": plane");
+    const Shape& shape = shapes.table()[id];
+    CHECK_AT(are_equal(shape.moments, sum.first), name + ": moments");
+    CHECK_AT(contains(shape.box, sum.second), name + ": box");
+    CHECK_AT(is_same_plane(shapes.plane[id], rounded(shape.plane)), name + ": plane");
   }
   for(std::uint32_t id = 0; id < shapes.size; ++id)
     CHECK_AT(sums.count(id) > 0 || are_equal(shapes.table()[id].moments, Moments()),
@@ -120,19 +118,14 @@ void check_state(const State& t, const std::string& where)
     CHECK_AT(!is_any(delta) && are_equal(delta.moments(), Moments()), where + ": deltas that were not taken");
 }
 
-struct Live {
-  std::vector<Shape> shape;
-  std::vector<Plane> plane;
-};
+using Live = std::vector<std::pair<Shape, Plane>>;
 
 Live live_shapes(const Shape_table<Sequential_backend>& shapes)
 {
   Live live;
   for(std::size_t id = 0; id < shapes.size; ++id)
-    if(shapes.table()[id].is_live()) {
-      live.shape.push_back(shapes.table()[id]);
-      live.plane.push_back(shapes.plane[id]);
-    }
+    if(shapes.table()[id].is_live())
+      live.push_back({shapes.table()[id], shapes.plane[id]});
   return live;
 }
 
@@ -148,16 +141,13 @@ void check_new_ids(State& t, const std::string& where)
   const std::size_t size = shapes.size;
   check_equal(take_growth(t.points, shapes, shapes.size), 0u, where + ": new points");
   check_state(t, where);
-  check_equal(shapes.size, 2 * before.shape.size() < size ? before.shape.size() : size, where + ": ids");
+  check_equal(shapes.size, 2 * before.size() < size ? before.size() : size, where + ": ids");
+  const auto is_kept = [](const auto& a, const auto& b) {
+    return are_equal(a.first.moments, b.first.moments) && is_same_plane(a.second, b.second) &&
+           a.first.plane_number == b.first.plane_number && a.first.age == b.first.age + 1 && !a.first.is_active;
+  };
   const Live after = live_shapes(shapes);
-  check_equal(after.shape.size(), before.shape.size(), where + ": live shapes");
-  for(std::size_t i = 0; i < before.shape.size() && i < after.shape.size(); ++i) {
-    const Shape &a = after.shape[i], &b = before.shape[i];
-    CHECK_AT(are_equal(a.moments, b.moments) && is_same_plane(after.plane[i], before.plane[i]) &&
-               a.plane_number == b.plane_number,
-             where + ": the order of the shapes");
-    CHECK_AT(a.age == b.age + 1 && !a.is_active, where + ": age");
-  }
+  CHECK_AT(std::equal(after.begin(), after.end(), before.begin(), before.end(), is_kept), where + ": shapes");
 }
 
 BOOST_AUTO_TEST_CASE(state_after_rounds)
@@ -195,14 +185,8 @@ void spoil(State& t)
       labels.state[i] |= interior_bit;
 }
 
-// What stages change.
-struct Outcome {
-  std::vector<std::uint32_t> label;
-  std::vector<double> plane;
-  std::vector<std::uint64_t> link; // ascending
-
-  bool operator==(const Outcome& o) const { return label == o.label && plane == o.plane && link == o.link; }
-};
+// What stages change: labels, planes and, ascending, links.
+using Outcome = std::tuple<std::vector<std::uint32_t>, std::vector<double>, std::vector<std::uint64_t>>;
 
 // Of a stage between two rounds, with the links between all shapes.
 Outcome outcome(const Stage& stage, bool is_spoilt)
@@ -218,26 +202,26 @@ Outcome outcome(const Stage& stage, bool is_spoilt)
   if(is_spoilt)
     spoil(t);
   stage(t, links);
-  Outcome result;
-  result.label = to_vector(t.points.backend, t.points.label(), t.points.cloud.size());
+  std::vector<double> plane;
   for(std::size_t id = 0; id < t.shapes.size; ++id) {
     const Regular_plane& p = t.shapes.table()[id].plane;
-    result.plane.insert(result.plane.end(), {p.normal.x, p.normal.y, p.normal.z, p.offset});
+    plane.insert(plane.end(), {p.normal.x, p.normal.y, p.normal.z, p.offset});
   }
+  std::vector<std::uint64_t> pairs;
   for(const Link& link : to_vector(t.points.backend, links))
-    result.link.push_back(link.pair);
-  std::sort(result.link.begin(), result.link.end());
-  return result;
+    pairs.push_back(link.pair);
+  std::sort(pairs.begin(), pairs.end());
+  return {to_vector(t.points.backend, t.points.label(), t.points.cloud.size()), plane, pairs};
 }
 
 void check_stage(const std::string& name, const Stage& stage)
 {
   static const Outcome before = outcome([](State&, Link_buffer&) {}, false);
   const Outcome expected = outcome(stage, false), got = outcome(stage, true);
-  CHECK_AT(!(expected == before), name + " changes nothing");
-  CHECK_AT(got.label == expected.label, name + ": labels");
-  CHECK_AT(got.plane == expected.plane, name + ": planes");
-  CHECK_AT(got.link == expected.link, name + ": links");
+  CHECK_AT(expected != before, name + " changes nothing");
+  CHECK_AT(std::get<0>(got) == std::get<0>(expected), name + ": labels");
+  CHECK_AT(std::get<1>(got) == std::get<1>(expected), name + ": planes");
+  CHECK_AT(std::get<2>(got) == std::get<2>(expected), name + ": links");
 }
 
 BOOST_AUTO_TEST_CASE(requests_of_rounds)

@@ -129,23 +129,6 @@ inline std::vector<Rectangle> tilted_box(int seed)
   return box;
 }
 
-// Sixteen houses, each turned by 2.9 degrees more, with two wall and two roof
-// directions, and the ground: 65 directions, as the faces are too large to be turned to another house.
-inline std::vector<Rectangle> village()
-{
-  std::vector<Rectangle> faces = {{{0, 0, 1}, {0, 0, 0}, 1e6, 1e6, 200, 200000}};
-  std::mt19937 random(11);
-  std::normal_distribution<double> noise(0, 0.0005);
-  for(int h = 0; h < 16; ++h)
-    for(int f = 0; f < 12; ++f) {
-      const double azimuth = 2.9 * h + 90 * (f % 4);
-      const Vector n = f < 8 ? polar(azimuth, 0) : polar(2.9 * h + 180 * (f % 2), 50);
-      const Vector tilted = {n.x + noise(random), n.y + noise(random), n.z + noise(random)};
-      faces.push_back({tilted, {1e5 * h, 4e4 * f, 7e4 * (f % 3)}, 20000.0 + 1000 * f, 15000, 200, 800.0 + 10 * f + h});
-    }
-  return faces;
-}
-
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

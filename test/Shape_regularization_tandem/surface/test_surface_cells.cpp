@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cells into which planes cut a box: they fill it, are closed, and meet in whole facets.
+// The cells into which planes cut a box: they fill it, are closed, and meet in whole facets. And the part of a plane that
+// points cover.
 
 #include "testing/checks.h"
 
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -13,7 +15,7 @@
 #include <random>
 #include <set>
 
-BOOST_AUTO_TEST_SUITE(test_cell_cutter)
+BOOST_AUTO_TEST_SUITE(test_surface_cells)
 
 using namespace CGAL::Tandem::internal::surface;
 using CGAL::Tandem::Coefficients;
@@ -80,19 +82,12 @@ BOOST_DATA_TEST_CASE(planes_in_general_position, boost::unit_test::data::xrange(
 BOOST_AUTO_TEST_CASE(degenerate_planes)
 {
   Cell_cutter cutter(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1));
-  const double third = 1. / 3;
-  for(const Coefficients& c : {Coefficients{1, 0, 0, 0},
-                               {0, 1, 0, 0},
-                               {0, 0, 1, 0},
-                               {1, 1, 0, 0},
-                               {1, -1, 0, 0},
-                               {third, third, third, 0},
-                               {1, 1, 1, 0},
-                               {-1, 1, 0, 0},
-                               {1, 0, 0, -1},
-                               {1, 1, 1, -3},
-                               {0, 1, 1, 0}})
-    cut_all(cutter, c);
+  const double third = 1. / 3, planes[][4] = {{1, 0, 0, 0},  {0, 1, 0, 0},  {0, 0, 1, 0},
+                                              {1, 1, 0, 0},  {1, -1, 0, 0}, {third, third, third, 0},
+                                              {1, 1, 1, 0},  {-1, 1, 0, 0}, {1, 0, 0, -1},
+                                              {1, 1, 1, -3}, {0, 1, 1, 0}};
+  for(const auto& p : planes)
+    cut_all(cutter, {p[0], p[1], p[2], p[3]});
   const Cells cells = cutter.cells();
   check_cells(cells, 8, "planes through one point");
   std::set<int> of_planes;
@@ -112,6 +107,23 @@ BOOST_AUTO_TEST_CASE(one_cell)
   CHECK(cells.facets_of(0).size() == 7); // two in the plane of the cut
   check_cells(cells, 1, "one cell");
   CHECK(cutter.section(1, cutter.add_plane({0, 0, 1, -.5})).size() == 8); // each edge in both of its facets
+}
+
+// However dense they are, points cover the area on which they lie; copies have their share of it.
+BOOST_AUTO_TEST_CASE(covered_area)
+{
+  std::mt19937 random(1);
+  const auto uniform = [&] { return double(random()) / 4294967296.; };
+  std::vector<Point> points;
+  for(int i = 0; i < 20000; ++i) {
+    const double x = i % 2 == 0 ? uniform() : .2 * uniform(), y = uniform();
+    points.insert(points.end(), i % 100 == 0 ? 50 : 1, Point(x, y, 3));
+  }
+  const Plane_coverage plane({0, 0, 1, -3}, points, 1e-4);
+  double sum = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    sum += plane.area_of_point(i);
+  check_close(sum, 1, .05, "covered area");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
