@@ -188,8 +188,11 @@ def pcd_of_each_kind(points):
     rows[:] = [((1, 2, 3), *p, color, 77, 9) for p in points]
     text = "".join(f"1 2 3 {x:.3f} {y:.3f} {z:.3f} {color:.9g} 77 9\n" for x, y, z in points).encode()
     packed = lzf(b"".join(rows[name].tobytes() for name in row.names))
-    sizes = struct.pack("<II", len(packed), rows.nbytes)
+
+    def compressed(packed, size=rows.nbytes):
+        return file("binary_compressed", struct.pack("<II", len(packed), size) + packed)
+
+    # The last one begins with a repetition of what is before it, in place of its first 7 bytes.
     return {"text.pcd": file("ascii", text), "binary.pcd": file("binary", rows.tobytes()),
-            "compressed.pcd": file("binary_compressed", sizes + packed),
-            "damaged.pcd": file("binary_compressed", sizes + packed[:-9] + b"\xff" * 9),
-            "huge.pcd": file("binary_compressed", struct.pack("<II", len(packed), 0xFFFFFFFF) + packed)}
+            "compressed.pcd": compressed(packed), "damaged.pcd": compressed(packed[:-9] + b"\xff" * 9),
+            "huge.pcd": compressed(packed, 0xFFFFFFFF), "before.pcd": compressed(b"\xa0\0" + packed[8:])}
