@@ -64,14 +64,17 @@ def typed_ply(points, types, scale=1, names="xyz", order="little"):
 MAP = (694386.2, 5155487.5, 380)
 
 
-def sensor_room(rng, count, corner):
+def sensor_room(corner, count=3000):
     """Floor and two walls, pairwise orthogonal, of noise 4 mm: 3 planes."""
-    points = []
-    for i in range(count):
-        p = [4 * rng.random(), 3 * rng.random(), 2.5 * rng.random()]
-        p[2 - i % 3] = (0, 3, 4)[i % 3] + rng.gauss(0, .004)
-        points.append(p)
-    return np.array(points) + corner
+    rng = np.random.default_rng(1)
+    points = rng.random((count, 3)) * (4, 3, 2.5)
+    for axis, place in enumerate((4, 3, 0)):
+        points[axis::3, axis] = place + rng.normal(0, .004, len(points[axis::3]))
+    return points + corner
+
+
+def as_floats(points):
+    return points.astype(np.float32).astype(float)
 
 
 def corridor(seed):
@@ -84,19 +87,6 @@ def corridor(seed):
     r = np.where(cosines > 1e-6, (1.2, 1.2, 1.2, 1.3, 5) / np.maximum(cosines, 1e-6), np.inf).min(axis=1)
     r += .0028 * r * r * np.random.default_rng(seed).standard_normal(len(r))
     return rays * r[:, None] + (1, 2, 3)
-
-
-def sensor_points(kind, seed):
-    rng = random.Random(seed)
-    if kind == "far":  # 20 invalid pixels at 0 0 0
-        return np.concatenate([sensor_room(rng, 6000, MAP), np.zeros((20, 3))])
-    if kind == "half":  # as a depth camera sees it, half of whose pixels are invalid
-        return np.stack([sensor_room(rng, 3000, (-2, -1, .6)), np.zeros((3000, 3))], axis=1).reshape(-1, 3)
-    if kind == "floats":  # went through floats: y comes in steps of .5
-        return sensor_room(rng, 6000, MAP).astype(np.float32).astype(float)
-    if kind == "degrees":  # of longitude and latitude, with heights in meters
-        return sensor_room(rng, 3000, (0, 0, 0)) * (1 / 7500, 1 / 11100, 4) + (11.57, 48.14, 515)
-    return sensor_room(rng, 6000, MAP)
 
 
 # --- LAS of all point formats
@@ -188,8 +178,11 @@ def pcd_of_each_kind(points):
     rows[:] = [((1, 2, 3), *p, color, 77, 9) for p in points]
     text = "".join(f"1 2 3 {x:.3f} {y:.3f} {z:.3f} {color:.9g} 77 9\n" for x, y, z in points).encode()
     packed = lzf(b"".join(rows[name].tobytes() for name in row.names))
-    sizes = struct.pack("<II", len(packed), rows.nbytes)
+
+    def compressed(packed, size=rows.nbytes):
+        return file("binary_compressed", struct.pack("<II", len(packed), size) + packed)
+
+    # The last one begins with a repetition of what is before it, in place of its first 7 bytes.
     return {"text.pcd": file("ascii", text), "binary.pcd": file("binary", rows.tobytes()),
-            "compressed.pcd": file("binary_compressed", sizes + packed),
-            "damaged.pcd": file("binary_compressed", sizes + packed[:-9] + b"\xff" * 9),
-            "huge.pcd": file("binary_compressed", struct.pack("<II", len(packed), 0xFFFFFFFF) + packed)}
+            "compressed.pcd": compressed(packed), "damaged.pcd": compressed(packed[:-9] + b"\xff" * 9),
+            "huge.pcd": compressed(packed, 0xFFFFFFFF), "before.pcd": compressed(b"\xa0\0" + packed[8:])}

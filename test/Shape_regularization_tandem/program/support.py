@@ -83,6 +83,26 @@ def table(names, rows):
     return pytest.mark.parametrize(names, rows)
 
 
+def cases(rows, *code, absent=()):
+    """A test of rows: the exit code, if it is not that of all, the pattern and the arguments. Some files do not appear."""
+    @pytest.mark.parametrize("row", rows)
+    def test(p, row):
+        p(*code, *row)
+        assert not p.has(*absent)
+    return test
+
+
+def refused_files(rows, absent=()):
+    """A test of rows: the name of a file, its content, unless it is there, what is said of it, and maybe more arguments."""
+    @pytest.mark.parametrize("row", rows)
+    def test(p, row):
+        name, content, pattern, *more = row
+        p.write({} if content is None else {name: content})
+        p(1, f"{re.escape(name)}: {pattern}", [name, *shlex.split(" ".join(more))])
+        assert not p.has(*absent)
+    return test
+
+
 def words_of(arguments):
     words = shlex.split(arguments) if isinstance(arguments, str) else arguments
     tolerance = ["--maximum-distance", str(EPSILON)]

@@ -5,12 +5,15 @@
 import os
 import re
 
-from support import (BARE, CLOUD, CUBE, HAS_VIEW, HELP, N, NO_POINTS, NOTHING, VERTICES, WARNS, XYZ, cube, off, ply,
-                     table)
+import numpy as np
+from support import (BARE, CLOUD, CUBE, HAS_VIEW, HELP, N, NO_POINTS, NOTHING, VERTICES, WARNS, XYZ, binary_ply, cases, cube,
+                     off, ply, properties, refused_files, table)
 
 NUMBER = r"-?[0-9.]+(e-?[0-9]+)?"
 TWO = "element vertex 2\n" + XYZ
 ONE = "element vertex 1\n"
+NEVER = "--output never.ply"
+PROSE = "Once upon a time\nthere was a cloud\n"
 
 
 def prepare(p):
@@ -20,41 +23,34 @@ def prepare(p):
       "--vg-by-plane --labels out.labels --planes out.planes --polygons out.obj --report out.json --backend sequential")
 
 
-@table("path, expected", [
-    ("parameters maximum_distance", 0.004), ("parameters minimum_region_size", None), ("counts points", N),
-    ("counts shapes", 3), ("counts ignored", 0), ("counts assigned", None), ("counts directions", 3),
-    ("counts planes", 3), ("counts rounds", None), ("criteria coverage", None), ("criteria mean_distance", None),
-    ("criteria complexity", None), ("score fit", None), ("score total", None), ("seconds read", None),
-    ("seconds normals", None), ("seconds sort", None), ("seconds neighbors", None), ("seconds growth", None),
-    ("seconds regularity", None), ("seconds final", None), ("seconds total", None),
-    ("memory process_peak_bytes", None), ("backend", None), ("device", "CPU"), ("hash", None),
-    ("relations parallel_groups", None), ("relations coplanar_groups", None), ("free misfit", None),
-    ("free total", None), ("uncertainty centroid 2 2", None), ("uncertainty normal_covariance 2 5", None),
-    ("uncertainty noise", None), ("uncertainty angle_deg", None)])
-def test_report(p, path, expected):
-    value = p.json("out.json")
-    for name in path.split():
-        value = value[int(name) if name.isdigit() else name]
-    assert expected is None or value == expected
+REPORT = {"parameters": "maximum_distance minimum_region_size", "counts": "points shapes ignored assigned directions planes rounds",
+          "criteria": "coverage mean_distance complexity", "score": "fit total",
+          "seconds": "read normals sort neighbors growth regularity final total", "memory": "process_peak_bytes",
+          "relations": "parallel_groups coplanar_groups orthogonal_pairs", "free": "misfit total",
+          "uncertainty": "centroid normal_covariance noise angle_deg"}
+
+
+def test_report(p):
+    report = p.json("out.json")
+    for part, names in REPORT.items():
+        assert set(names.split()) <= set(report[part])
+    expected = {"points": N, "shapes": 3, "ignored": 0, "directions": 3, "planes": 3}
+    assert {name: report["counts"][name] for name in expected} == expected and report["device"] == "CPU"
+    assert report["backend"] and report["hash"] and report["parameters"]["maximum_distance"] == 0.004
+    assert len(report["relations"]["orthogonal_pairs"]) == 3
+    assert np.shape(report["uncertainty"]["centroid"]) == (3, 3)
+    assert np.shape(report["uncertainty"]["normal_covariance"]) == (3, 6)
 
 
 def test_outputs(p):
-    assert len(p.json("out.json")["relations"]["orthogonal_pairs"]) == 3
     assert set(p.sizes("out.labels")) <= {-1, 0, 1, 2} and p.path("out.labels").stat().st_size == 4 * N
     planes = p.lines("out.planes")
     assert len(planes) == 3 and all(re.fullmatch(f"{NUMBER} {NUMBER} {NUMBER} {NUMBER}", line) for line in planes)
     assert re.search(rf"binary_little_endian.*vertex {N}\n.*double x\n.*nx\n.*uchar red\n.*property int shape\nend_header",
                      p.read("a folder/out.ply"), re.DOTALL)
-
-
-def test_outputs_for_other_programs(p):
     assert not p.lines("out.obj", f"^(?!(#.*|g shape_[0-2]|v {NUMBER} {NUMBER} {NUMBER}|f( [0-9]+)+)$)")
     assert p.lines("out.obj", "^g ") == ["g shape_0", "g shape_1", "g shape_2"]
-    p(0, "shapes +3 in", "cube.ply E --vg shapes.vg --polygons out.PLY")
-    for name in ("shapes.vg", "out.vg"):
-        assert p.lines(name, "^group_label") == [f"group_label: shape_{i}" for i in range(3)]
-    assert re.search("double x\n.*element face [1-9][0-9]*\n.*vertex_indices\n.*property int shape\nend_header",
-                     p.read("out.PLY"), re.DOTALL)
+    assert p.lines("out.vg", "^group_label") == [f"group_label: shape_{i}" for i in range(3)]
     p(WARNS, "shapes +0 in", "cube.ply E --minimum-region-size 1700 --vg none.vg --polygons none.obj")
     assert p.lines("none.vg", "^num_groups") == ["num_groups: 0"]
 
@@ -74,24 +70,17 @@ def test_directions_like_options(p):
     p(0, found, "cube.ply E --fixed-direction 0,0,1 --fixed-direction -1e-12,0,-2 --symmetry-direction=-1,0,0")
 
 
-@table("pattern, arguments", [
-    ("shapes +3 in", "far.ply E --output far_out.ply"),
-    ("shapes +3 in", "far_out.ply E"),
-    (NOTHING, "cube.ply E --quiet"),
+test_runs = cases([
+    ("shapes +3 in", "far.ply E --output far_out.ply"), ("shapes +3 in", "far_out.ply E"), (NOTHING, "cube.ply E --quiet"),
     ("shapes +3 in", "cube.ply E --no-parallelism --no-orthogonality --no-coplanarity --angle-tolerance 0 --simplicity "
      "0.05 --regularity 0.2 --surfel-size 0.3 --k-neighbors 10 --cell-size 512 --maximum-angle 20 --maximum-offset "
      "0.002 --minimum-region-size 50"),
-    ("normals given", "'a folder/cube.xyz' E"),
-    ("normals given", "cube.PWN E"),
-    ("shapes +3 in", "bare.off E --output bare_out.ply"),
-    ("normals given", "bare_out.ply E"),
+    ("normals given", "'a folder/cube.xyz' E"), ("normals given", "cube.PWN E"),
+    ("shapes +3 in", "bare.off E --output bare_out.ply"), ("normals given", "bare_out.ply E"),
     ("normals estimated\n.*shapes +3 in", "--estimate-normals bare.ply E"),
     ("normals by PCA of 9 neighbors\n.*shapes +3 in", "--estimate-normals 9 bare.ply E"),
-    ("normals estimated\n.*shapes +3 in", "cube.ply E --estimate-normals"),
-    ("at least [0-9]+ points", "cube.ply"),
-    ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help")])
-def test_runs(p, pattern, arguments):
-    p(0, pattern, arguments)
+    ("normals estimated\n.*shapes +3 in", "cube.ply E --estimate-normals"), ("at least [0-9]+ points", "cube.ply"),
+    ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help")], 0)
 
 
 @table("offer, arguments", [("--view FILE", "--view v.html"), ("--mesh FILE", "--mesh m.off"), (".laz", "--output l.laz"),
@@ -103,27 +92,19 @@ def test_help_offers_what_is_there(p, offer, arguments):
         p(2, "built without|build Tandem with", f"missing.ply {arguments}")
 
 
-@table("name, content, pattern", [
-    ("missing.ply", None, "missing.ply: no such file"),
-    ("a folder", None, "a folder: is a directory"),
-    ("empty.ply", "", "empty.ply: is empty"),
-    ("text.ply", "Once upon a time\nthere was a cloud\n", "text.ply: is not a PLY file"),
-    ("text.xyz", "Once upon a time\nthere was a cloud\n", "text.xyz: "),
-    ("half.ply", ply(CLOUD, CUBE[:len(CUBE) // 2]),
-     f"half.ply: (is truncated|unreadable after point [0-9]+ of {N})"),
-    ("half.off", off(CUBE[:len(CUBE) // 2]), f"half.off: is truncated: {N} points announced, [0-9]+ rows found"),
-    ("head.ply", "ply\nformat ascii 1.0\n" + VERTICES, "head.ply: the PLY header has no end"),
-    ("none.ply", ply(NO_POINTS), "none.ply: has no points"),
-    ("huge.ply", ply("element vertex 99999999999999\n" + XYZ, "0 0 0\n"), "huge.ply: is truncated"),
-    ("words.ply", ply(TWO, "0 0 0\n0 zero 0\n"), "words.ply: unreadable after point 1 of 2"),
-    ("flat.ply", ply(ONE + "property float x\nproperty float y\n", "0 0\n"), "flat.ply: .*no property 'z'"),
-    ("type.ply", ply(ONE + XYZ + "property half q\n", "0 0 0 0\n"), "type.ply: unknown type 'half'"),
-    ("nan.ply", ply("element vertex 60\n" + XYZ.replace("double", "float"), kind="binary_little_endian").encode()
-     + 180 * b"\0\0\xc0\x7f", "nan.ply: none of its 60 points has finite")])
-def test_unreadable_input(p, name, content, pattern):
-    p.write({} if content is None else {name: content})
-    p(1, pattern, [name, "--output", "never.ply"])
-    assert not p.has("never.ply")
+test_unreadable_input = refused_files([
+    ("missing.ply", None, "no such file", NEVER), ("a folder", None, "is a directory", NEVER),
+    ("empty.ply", "", "is empty", NEVER), ("text.ply", PROSE, "is not a PLY file", NEVER), ("text.xyz", PROSE, "", NEVER),
+    ("half.ply", ply(CLOUD, CUBE[:len(CUBE) // 2]), f"(is truncated|unreadable after point [0-9]+ of {N})", NEVER),
+    ("half.off", off(CUBE[:len(CUBE) // 2]), f"is truncated: {N} points announced, [0-9]+ rows found", NEVER),
+    ("head.ply", "ply\nformat ascii 1.0\n" + VERTICES, "the PLY header has no end", NEVER),
+    ("none.ply", ply(NO_POINTS), "has no points", NEVER),
+    ("huge.ply", ply("element vertex 99999999999999\n" + XYZ, "0 0 0\n"), "is truncated", NEVER),
+    ("words.ply", ply(TWO, "0 0 0\n0 zero 0\n"), "unreadable after point 1 of 2", NEVER),
+    ("flat.ply", ply(ONE + properties("xy", "float"), "0 0\n"), ".*no property 'z'", NEVER),
+    ("type.ply", ply(ONE + XYZ + "property half q\n", "0 0 0 0\n"), "unknown type 'half'", NEVER),
+    ("nan.ply", binary_ply("element vertex 60\n" + properties("xyz", "float"), 180 * b"\0\0\xc0\x7f"),
+     "none of its 60 points has finite", NEVER)], absent=["never.ply"])
 
 
 def test_truncated_output(p):
@@ -135,10 +116,8 @@ def test_truncated_output(p):
 
 
 @table("pattern, arguments", [
-    ("no/such.ply: cannot be written", "--output no/such.ply"),
-    ("a folder: is a directory", "--planes 'a folder'"),
-    ("no/such.vg: cannot be written", "--vg no/such.vg"),
-    ("no/such.obj: cannot be written", "--polygons no/such.obj"),
+    *((f"no/such.{kind}: cannot be written", f"--{option} no/such.{kind}")
+      for option, kind in (("output", "ply"), ("vg", "vg"), ("polygons", "obj"))), ("a folder: is a directory", "--planes 'a folder'"),
     *(("/dev/full: cannot be written completely", f"--{option} /dev/full")
       for option in ("output", "labels", "planes", "report", "vg")),
     ("/dev/full", "--labels old.labels --planes never.planes --report /dev/full")])
@@ -171,47 +150,31 @@ def test_files_are_complete_without_standard_output(p):
     assert p.is_same("full.planes", "same.planes") and p.is_same("full.labels", "same.labels")
 
 
-@table("pattern, arguments", [
-    ("no INPUT", ""),
-    ("unrecognised option", "cube.ply --no-such-option"),
-    ("unrecognised option", "cube.ply --max 3"),
+test_bad_usage = cases([
+    ("no INPUT", ""), ("unrecognised option", "cube.ply --max 3"),
     *((pattern, arguments.format(option)) for option in ("--help", "--version") for pattern, arguments in (
         ("unrecognised option '--no-such-option'", "{} --no-such-option"),
         ("unrecognised option '--no-such-option'", "--no-such-option {}"), ("--threads", "{} --threads"))),
     ("an option is not known.*--a%canonical_option%b", "cube.ply --a%canonical_option%b"),
     ("an option is not known.*'%value%'", "cube.ply --maximum-angle %value%"),
-    ("maximum-distance", "cube.ply --maximum-distance far"),
-    ("maximum-distance", "cube.ply --maximum-distance"),
-    *((rf": --maximum-{name} is {value}, must be in [\[(].*[\])]", f"cube.ply --maximum-{name} {value}")
-      for name, value in (("distance", 0), ("distance", -1), ("distance", "nan"), ("distance", "inf"), ("angle", 0),
-                          ("angle", 0.005), ("angle", 90), ("offset", -1))),
-    (": --angle-tolerance is 45, must be in .0, 45. degrees", "cube.ply --angle-tolerance 45"),
-    *((f": --minimum-region-size is {value}, must be in .3, 2147483648. ", f"cube.ply --minimum-region-size {value}")
-      for value in (-5, 0, 2, 2147483649, 9223372036854775807)),
-    *((f": --k-neighbors is {value}, must be in .3, 64. ", f"missing.ply --k-neighbors={value}")
-      for value in (-5, 2, 65, 2147483648)),
-    *((f": --{name} is [^ ]*, must be in .0, {largest}. ", f"cube.ply --{name} {value}")
-      for name, largest in (("simplicity", 1), ("regularity", 10), ("surfel-size", 0.55))
-      for value in (-1, "nan", "inf", 1e9)),
-    *((f": --cell-size is {value}, must be in .64, 65536. ", f"cube.ply --cell-size {value}") for value in (-1, 1)),
-    *((f": --{name} is '{value}', must be three numbers .*, as in 0,0,1 ", f"cube.ply --{name} '{value}'")
-      for name in ("fixed-direction", "symmetry-direction")
+    ("maximum-distance", "cube.ply --maximum-distance far"), ("maximum-distance", "cube.ply --maximum-distance"),
+    *((rf": --{name} is {re.escape(str(value))}, must be in {limits}", f"missing.ply --{name}={value}")
+      for name, limits, values in (
+          ("maximum-distance", r"[\[(].*[\])]", (0, -1, "nan", "inf")), ("maximum-angle", r"[\[(].*[\])]", (0, 0.005, 90)),
+          ("maximum-offset", r"[\[(].*[\])]", (-1,)), ("angle-tolerance", ".0, 45. degrees", (45,)),
+          ("minimum-region-size", ".3, 2147483648. ", (-5, 0, 2, 2147483649, 9223372036854775807)),
+          ("k-neighbors", ".3, 64. ", (-5, 2, 65, 2147483648)), ("simplicity", ".0, 1. ", (-1, "nan", "inf")),
+          ("regularity", ".0, 10. ", (-1, "nan")), ("surfel-size", ".0, 0.55. ", (-1, "nan", 0.56)),
+          ("cell-size", ".64, 65536. ", (-1, 1)), ("threads", "", (0,)), ("estimate-normals", "", (2,))) for value in values),
+    *((f": --fixed-direction is '{value}', must be three numbers .*, as in 0,0,1 ", f"cube.ply --fixed-direction '{value}'")
       for value in ("0,0", "a,b,c", "0,0,0", "0 0 1", "0,0,1,0", "0,0,1x", "0,0,1e999", "nan,0,1", ",0,1")),
-    ("--fixed-direction is '0', must be three numbers", "cube.ply --fixed-direction 0 0 1"),
-    ("--symmetry-direction is '0', must be three numbers", "cube.ply --symmetry-direction 0 0 1"),
+    *((f"--{name}-direction is '0', must be three numbers", f"cube.ply --{name}-direction 0 0 1") for name in ("fixed", "symmetry")),
     ("--fixed-direction is '', must be", "cube.ply --fixed-direction 0,0,1 --fixed-direction ''"),
-    ("threads is 0", "cube.ply --threads 0"),
-    ("threads is 0", "missing.ply --threads 0"),
-    ("backend is 'gpu'", "cube.ply --backend gpu"),
-    ("estimate-normals is 2", "cube.ply --estimate-normals 2"),
-    ("named twice", "cube.ply --output ./cube.ply"),
+    ("backend is 'gpu'", "cube.ply --backend gpu"), ("named twice", "cube.ply --output ./cube.ply"),
     ("named twice", "cube.ply --output new.ply --labels 'a folder/../new.ply'"),
-    ("named twice", "cube.ply --vg new.ply --polygons new.ply"),
+    ("named twice", "cube.ply --vg new.ply --polygons new.ply"), ("polygons is 'new'", "missing.ply --polygons new"),
     ("polygons is 'new.stl', must end in .geojson, .json, .ply, .obj or .off", "cube.ply --polygons new.stl"),
-    ("polygons is 'new'", "missing.ply --polygons new"),
-    ("vg-by-plane needs --vg", "cube.ply --vg-by-plane")])
-def test_bad_usage(p, pattern, arguments):
-    p(2, pattern, arguments)
+    ("vg-by-plane needs --vg", "cube.ply --vg-by-plane")], 2)
 
 
 def test_values_that_do_not_fit(p):

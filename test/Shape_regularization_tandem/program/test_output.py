@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where detect_planes writes: pipes, files that the shell has opened, and links. What signals leave of its files: nothing."""
 
+import os
 import re
+from pathlib import Path
 
-from support import HAS_VIEW, NO_POINTS, NOTHING, WARNS, ply, table
+from support import CLOUD, CUBE, HAS_VIEW, NO_POINTS, NOTHING, WARNS, cases, ply, table
 
 RUN = "$P cube.ply $E"
 SUMMARY = "hash +[0-9a-f]+\n"
@@ -57,14 +59,11 @@ def test_names_of_outputs(p, pattern, command):
     p.shell(0, pattern, command)
 
 
-@table("pattern, arguments", [
+test_no_dash = cases([
     *((f"--{option} is '-', must be the name of a file .that of standard output is /dev/stdout", f"cube.ply --{option} -")
       for option in ("output", "labels", "planes", "vg", "report")),
     *((f"--{option} is '-', must end in", f"cube.ply --{option} -") for option in ("polygons", "shapes", "mesh", "view")),
-    ("INPUT is '-', must be the name of a file", "- E")])
-def test_no_dash(p, pattern, arguments):
-    p(2, pattern, arguments)
-    assert not p.has("-")
+    ("INPUT is '-', must be the name of a file", "- E")], 2, absent=["-"])
 
 
 def test_links(p):
@@ -97,16 +96,14 @@ def test_modes(p):
 @table("code, arguments", [
     (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (2, [NAME + b".ply", "--output", b"./" + NAME + b".ply"]),
     (2, [NAME + b".ply", "--output-directory", "."]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]),
-    *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "view", "mesh", "backend", "classes", "columns",
+    *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "view", "backend", "classes", "columns",
                                                             "fixed-direction", "threads")),
     (2, ["cube.ply", b"--" + NAME, NAME]), (2, ["cube.ply", b"--" + NAME]),
     (WARNS, ["cube.ply", b"none " + NAME + b".ply", "E"]), (0, [NAME + b".ply", "E", "--report", "names.json"])])
 def test_names_with_any_bytes(p, code, arguments):
-    """Those of UTF-8 stay, and none controls a terminal."""
-    for name, source in ((b"%s.ply", "cube.ply"), (b"%s.doc", "cube.ply"), (b"none %s.ply", None)):
-        content = p.path(source).read_bytes() if source else ply(NO_POINTS).encode()
-        with open(bytes(p.folder) + b"/" + name % NAME, "wb") as file:
-            file.write(content)
+    """None controls a terminal."""
+    for name, content in ((b"%s.ply", ply(CLOUD, CUBE)), (b"%s.doc", CUBE), (b"none %s.ply", ply(NO_POINTS))):
+        Path(os.fsdecode(bytes(p.folder) + b"/" + name % NAME)).write_text(content)
     text = p(code, "", arguments).encode(errors="surrogateescape")
     assert not re.search(b"[\033\007\233]", text), "control characters"
     if code == 0:
@@ -114,9 +111,18 @@ def test_names_with_any_bytes(p, code, arguments):
         assert r'"input": "W\u00e4nde \u001b[31m\u0007\u009b\u009b.ply"' in p.read("names.json")
 
 
-def test_names_that_change_the_direction_of_text(p):
-    p(1, "a.x0ab.xe2.x80.xaec.xd8.x9c.xe2.x81.xa6d.ply: no such file",
-      [b"a\nb\342\200\256c\330\234\342\201\246d.ply"])
+# Bytes of no character: continuations, forms that are too long, surrogates, beyond the last one, cut off
+NO_TEXT = (b"\x80 \xff \xc0\x81 \xc1\xbf \xe0\x9f\xbf \xed\xa0\x80 \xf0\x8f\xbf\xbf \xf4\x90\x80\x80 \xf5\x80\x80\x80 \xc3 "
+           b"\xe2\x82 \xf0\x9f\x98")
+
+
+@table("name, shown", [
+    (text.encode(), text) for text in ("€ 中 \U0001f600", "\u00a0\u07ff\u0800\ud7ff\ue000\U0010ffff")] + [
+    (b"a\nb\t\342\200\256c\330\234\342\201\246d\x7f", r"a\x0ab\x09\xe2\x80\xaec\xd8\x9c\xe2\x81\xa6d\x7f"),
+    (NO_TEXT, "".join(chr(c) if c == 32 else rf"\x{c:02x}" for c in NO_TEXT))])
+def test_what_is_shown_of_names(p, name, shown):
+    """Characters of UTF-8, but for those that change the direction of text"""
+    p(1, re.escape(shown + ".ply: no such file"), [name + b".ply"])
 
 
 @table("pattern, command", [

@@ -9,7 +9,8 @@ import re
 import numpy as np
 import pytest
 from clouds import turned_room, typed_ply
-from support import BARE, CLOUD, CUBE, N, VERTICES, WARNS, XYZ, binary_ply, off, ply, properties, table
+from support import (BARE, CLOUD, CUBE, N, VERTICES, WARNS, XYZ, binary_ply, cases, off, ply, properties, refused_files,
+                     table)
 
 TWO = "element vertex 2\n" + XYZ
 LIST = "property list uint float extra\n"
@@ -52,7 +53,7 @@ def test_other_elements_do_not_change_the_result(p, cube_hash, content, more):
     p.shell(0, cube_hash, f"exec timeout -k 1 5 $P more.ply $E{more}")
 
 
-@table("name, content, pattern", [
+test_wrong_files = refused_files([
     # Numbers of items that the file cannot hold
     ("list.ply", ply(TWO + LIST, "0 0 0 1000000000\n0 0 0 0\n"),
      "row 1 of 'vertex' has 1000000000 items in the list 'extra', room for 5 at most"),
@@ -95,40 +96,23 @@ def test_other_elements_do_not_change_the_result(p, cube_hash, content, more):
        "(unreadable after point 1 of 2|row 2 of 'vertex' has a comma)")
       for value in ("1e39", "1,5", "1.5x", "0x10", "--1")),
     ("missing.ply", ply("element vertex 2\n" + properties("XYW", "float"), "1 2 3\n1 2 3\n"),
-     "the points of the PLY file have no property 'z'")])
-def test_wrong_files(p, name, content, pattern):
-    p.write({name: content})
-    p(1, f"{name}: {pattern}", [name])
-
-
-@table("name, content, more, pattern", [
-    ("row.off", off("0 0 0\n0 1b\n" + OFF_FACES, "2 2 0"), "--sample 0", "unreadable after point 1 of 2"),
-    *((f"corner.{kind}", (ply if kind == "ply" else off)(*arguments), "--sample 9",
-       "face 1 has a corner that is none of the 8 points")
-      for face in ("3 0 1 8\n", "3 0 1 -1\n") for kind, arguments in (
-          ("ply", (BOX + "element face 1\nproperty list int int vertex_index\n", CORNERS + face)),
-          ("off", (CORNERS + face, "8 1 0")))),
-    ("flat.off", off(CORNERS + "3 0 0 1\n2 0 1\n", "8 2 0"), "--sample 9", "has faces, but none that has an area"),
-    ("short.off", off(CORNERS + "4 0 1 2\n", "8 1 0"), "--sample 9", "face 1 is not the number of its corners"),
-    ("infinite.off", off("0 0 0\n1e200 0 0\n0 1e200 0\n3 0 1 2\n", "3 1 0"), "--sample 9",
-     "face 1 has no finite area"),
-    *(("strips.ply", ply(BOX + "element tristrips 1\nproperty list int int vertex_indices\n", CORNERS + "3 0 1 2\n"),
-       *case) for case in (("--sample 9", "has 'tristrips' without the corners of single faces; --sample 0 takes"),
-                           ("", "has 1 face: --sample N")))])
-def test_wrong_meshes(p, name, content, more, pattern):
-    p.write({name: content})
-    p(1, f"{name}: {pattern}", [name, *more.split()])
-
-
-@table("code, pattern, arguments", [
-    (1, "box.ply: has faces: the points .* have no 'classification', which --classes needs",
-     "box.ply --sample 9 --classes 1"),
-    (1, "both.ply: has no property 'error', which --tolerance-column names; it has X",
-     "both.ply --tolerance-column error"),
-    (2, "sample is -1, must be in .0, 1000000000.", "box.ply --sample -1"),
-    (2, "sample is for meshes", "plain.xyz --sample 9")])
-def test_wrong_options(p, code, pattern, arguments):
-    p(code, pattern, arguments)
+     "the points of the PLY file have no property 'z'"),
+    # Meshes
+    ("row.off", off("0 0 0\n0 1b\n" + OFF_FACES, "2 2 0"), "unreadable after point 1 of 2", "--sample 0"),
+    *((f"corner.{kind}", content, "face 1 has a corner that is none of the 8 points", "--sample 9")
+      for face in ("3 0 1 8\n", "3 0 1 -1\n") for kind, content in (
+          ("ply", ply(BOX + "element face 1\nproperty list int int vertex_index\n", CORNERS + face)),
+          ("off", off(CORNERS + face, "8 1 0")))),
+    ("flat.off", off(CORNERS + "3 0 0 1\n2 0 1\n", "8 2 0"), "has faces, but none that has an area", "--sample 9"),
+    ("short.off", off(CORNERS + "4 0 1 2\n", "8 1 0"), "face 1 is not the number of its corners", "--sample 9"),
+    ("infinite.off", off("0 0 0\n1e200 0 0\n0 1e200 0\n3 0 1 2\n", "3 1 0"), "face 1 has no finite area", "--sample 9"),
+    *(("strips.ply", ply(BOX + "element tristrips 1\nproperty list int int vertex_indices\n", CORNERS + "3 0 1 2\n"), *case)
+      for case in (("has 'tristrips' without the corners of single faces; --sample 0 takes", "--sample 9"),
+                   ("has 1 face: --sample N",))),
+    ("box.ply", None, "has faces: the points .* have no 'classification', which --classes needs", "--sample 9 --classes 1"),
+    ("both.ply", None, "has no property 'error', which --tolerance-column names; it has X", "--tolerance-column error")])
+test_wrong_options = cases([("sample is -1, must be in .0, 1000000000.", "box.ply --sample -1"),
+                            ("sample is for meshes", "plain.xyz --sample 9")], 2)
 
 
 @table("code, pattern, name, content, more", [

@@ -6,8 +6,7 @@
 import re
 
 import numpy as np
-import pytest
-from support import HAS_VIEW, NOTHING, WARNS, XYZ, off, ply, table
+from support import HAS_VIEW, NOTHING, WARNS, XYZ, cases, off, ply, table
 
 OPTIONS = "E --minimum-region-size 100"
 PARTS = f"parts.xyz {OPTIONS}"
@@ -33,10 +32,10 @@ def parts():
 def prepare(p):
     rows = ["{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n".format(*row) for row in parts()]
     low = [row for row in rows if float(row.split()[0]) <= 0.1]
-    names, nan = "x y z nx ny nz\n", "nan 0 0 0 0 1\n"
+    names = "x y z nx ny nz\n"
     square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
     p.write({"parts.xyz": names + "".join(rows), "low.xyz": names + "".join(low),
-             "nan.xyz": names + "".join(rows) + nan, "nan.csv": (names + "".join(rows) + nan).replace(" ", ","),
+             "nan.xyz": names + "".join(rows) + "nan 0 0 0 0 1\n",
              "square.off": off(square, "4 1 0"),
              "square.ply": ply("element vertex 4\n" + XYZ + "element face 1\nproperty list uchar int vertex_indices\n",
                                square)})
@@ -64,19 +63,17 @@ def test_sizes(p, sizes, options):
     assert report["counts"]["assigned"] == assigned
     assert report["free"]["total"] == report["free"]["unselected"] == TOTAL - assigned
     given = re.sub(" --symmetry.*|'", "", options)
-    assert not given or (report["selection"]["detected_shapes"], report["selection"]["options"]) == (4, given)
+    assert not given or report["selection"] == {
+        "detected_shapes": 4, "detected_points": TOTAL, "shapes": len(sizes), "points": assigned, "options": given}
 
 
-@table("pattern, arguments", [
-    # The summary says how many of how many.
-    ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes", "--largest 1"),
-    ("67[0-9.]* % of shapes that were not selected", "--largest 1"),
-    ("selection +1 of 4 shapes.*--by-plane --largest 1", "--by-plane --largest 1 --report by_plane.json"),
-    ("selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane.", "--by-plane"),
-    ("--minimum-area 0.020123456789 --minimum-extent 0.16", "--minimum-area 0.020123456789 --minimum-extent 0.16")])
-def test_summary(p, pattern, arguments):
-    p(0, pattern, f"{PARTS} {arguments}")
-    assert "json" not in arguments or p.json("by_plane.json")["selection"]["options"] == "--by-plane --largest 1"
+test_summary = cases([
+    ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes.*67[0-9.]* % of shapes that "
+     "were not selected", f"{PARTS} --largest 1"),
+    ("selection +1 of 4 shapes.*--by-plane --largest 1", f"{PARTS} --by-plane --largest 1"),
+    ("selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane.", f"{PARTS} --by-plane"),
+    ("--minimum-area 0.020123456789 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.020123456789 --minimum-extent 0.16")],
+    0)
 
 
 def test_outputs_of_what_is_left(p):
@@ -98,34 +95,24 @@ def test_nothing_is_left(p):
     assert p.read("p.txt") == "" and p.sizes("l.bin") == {-1: TOTAL}
 
 
-@table("pattern, arguments", [
+test_bad_usage = cases([(pattern, f"{PARTS} {arguments}") for pattern, arguments in (
     *((f"--largest is {value}, must be in .1, 2147483648.", f"--largest {value}") for value in (0, -1, 99999999999)),
-    *((f"--{option} is .*, must be positive", f"--{option} {value}") for option in ("minimum-area", "minimum-extent")
-      for value in (0, -2, "nan", "inf", 1e300)),
-    ("--minimum-area", "--minimum-area wide"), ("--minimum-extent", "--minimum-extent wide"),
+    *((f"--minimum-{name} is .*, must be positive", f"--minimum-{name} {value}") for name in ("area", "extent")
+      for value in (0, -2, "nan", 1e300)),
+    ("--minimum-area", "--minimum-area wide"),
     *((f"--near-direction is '{value}', must be X,Y,Z, not all 0, vertical or horizontal", f"--near-direction='{value}'")
-      for value in ("up", "0,0", "0,0,0", "0,0,1,91", "0,0,1,-1", "0,0,nan", "0,0,inf", "0,0,1,2,3", "vertical,up",
-                    "vertical,", "vertical,1,2", "vertical,-1", "0,0,1,")),
+      for value in ("up", "0,0", "0,0,0", "0,0,1,91", "0,0,1,-1", "0,0,nan", "0,0,1,2,3", "vertical,up", "vertical,",
+                    "vertical,1,2", "vertical,-1", "0,0,1,")),
     *((f"--crop is '{box}', must be XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX", f"--crop='{box}'")
-      for box in ("0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,-1,1,1", "0,0,0,1,1,nan", "0,0,0,1,1,", "a,b,c,d,e,f"))])
-def test_bad_usage(p, pattern, arguments):
-    p(2, pattern, f"{PARTS} {arguments}")
+      for box in ("0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,-1,1,1", "0,0,0,1,1,nan", "0,0,0,1,1,", "a,b,c,d,e,f")))], 2)
 
 
-@pytest.fixture(scope="module")
-def low_hash(p):
-    return p.hash(f"low.xyz {OPTIONS} --labels low.bin")
-
-
-@table("arguments", ["nan.xyz --crop=0,0,0,0.1,1,1", "nan.xyz --crop=-inf,-inf,-inf,0.1,inf,inf",
-                     "nan.xyz --crop='0, 0, 0, 0.1, 2, 2'", "nan.csv --crop 0,0,0,0.1,1,1"])
-def test_crop(p, low_hash, arguments):
+def test_crop(p):
     """As if the other points were not there"""
-    p(0, low_hash, f"{arguments} {OPTIONS} --labels l.bin")
-    assert p.is_same("low.bin", "l.bin")
-
-
-def test_crop_leaves_nothing(p):
+    low_hash = p.hash(f"low.xyz {OPTIONS} --labels low.bin")
+    for box in ("0,0,0,0.1,1,1", "-inf,-inf,-inf,0.1,inf,inf", "'0, 0, 0, 0.1, 2, 2'"):
+        p(0, low_hash, f"nan.xyz --crop={box} {OPTIONS} --labels l.bin")
+        assert p.is_same("low.bin", "l.bin")
     p(0, "points +1753", f"nan.xyz {OPTIONS}")
     p(1, "nan.xyz: has no points in the box of --crop: its own is 0.007,0.007,0,2.06[0-9]*,1,0.168",
       f"nan.xyz {OPTIONS} --crop 5,5,5,6,6,6")

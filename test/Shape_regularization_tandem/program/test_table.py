@@ -6,7 +6,7 @@ one; and the name of the labels in clouds."""
 import re
 
 import numpy as np
-from support import NOTHING, WARNS, table, text_of
+from support import NOTHING, WARNS, cases, table, text_of
 
 STEP, COLUMNS, ROWS = 0.1, 41, 21
 LENGTH, WIDTH = STEP * (COLUMNS - 1), STEP * (ROWS - 1)
@@ -89,6 +89,7 @@ def test_coplanar_shapes_as_one(p):
 
 
 def test_tables_of_other_runs(p):
+    p(1, "cannot be written", "faces.xyz --shapes missing/a.csv")
     p(0, NOTHING, f"{RUN} --shapes alone.CSV")
     p(0, NOTHING, f"{RUN} --shapes all.csv --polygons all.ply")
     assert p.is_same("alone.CSV", "all.csv")
@@ -111,21 +112,12 @@ def test_name_of_the_labels(p, kind):
     assert kind == "las" or p.is_same("plain.labels", "again.labels")
 
 
-@table("pattern, arguments", [
+test_refused_before_the_cloud_is_read = cases([(pattern, f"missing.ply {arguments}") for pattern, arguments in (
     *((f"--label-property is '{name}', must be letters, digits and _, a letter first, at most 32",
-       f"--output a.ply --label-property '{name}'")
-      for name in ("a b", "a-b", "9a", "_a", "ä", "abcdefghijklmnopqrstuvwxyz1234567")),
+       f"--output a.ply --label-property '{name}'") for name in ("a b", "a-b", "9a", "_a", "ä", "abcdefghijklmnopqrstuvwxyz1234567")),
     *((f"--label-property is '{name}', which is the name of something else in clouds",
        f"--output a.ply --label-property {name}")
-      for name in ("x", "NX", "normal_x", "Red", "rgb", "intensity", "scalar_Intensity", "classification", "tolerance",
-                   "gps_time")),
+      for name in ("x", "NX", "normal_x", "Red", "rgb", "scalar_Intensity", "classification", "tolerance", "gps_time")),
     ("--label-property needs --output or --output-directory", "--label-property a"),
-    ("--shapes is 'a.txt', must end in .csv", "--shapes a.txt"), ("--shapes is '-', must end in .csv", "--shapes -"),
-    ("the file a.csv is named twice", "--shapes a.csv --output a.csv")])
-def test_refused_before_the_cloud_is_read(p, pattern, arguments):
-    p(2, pattern, f"missing.ply {arguments}")
-    assert not p.has("a.csv", "a.ply")
-
-
-def test_no_place_for_the_table(p):
-    p(1, "cannot be written", "faces.xyz --shapes missing/a.csv")
+    ("--shapes is 'a.txt', must end in .csv", "--shapes a.txt"),
+    ("the file a.csv is named twice", "--shapes a.csv --output a.csv"))], 2, absent=["a.csv", "a.ply"])

@@ -8,11 +8,12 @@ import os
 import random
 import re
 
+import numpy as np
 import pytest
 from clouds import ptx, rows_of, turned_room
-from support import BARE, CLOUD, CUBE, HAS_GZIP, N, VERTICES, WARNS, XYZ, off, pcd, ply, table
+from support import BARE, CLOUD, CUBE, HAS_GZIP, N, VERTICES, WARNS, XYZ, cases, off, pcd, ply, refused_files, table
 
-TABLES = ["xyz", "txt", "csv", "pts", "pwn"]
+TABLES = ["xyz", "csv"]
 TWO = "element vertex 2\n" + XYZ
 PCD_ROWS = pcd("", count=2, size=4)
 STRIP = VERTICES + "element strip 1\nproperty list int int vertex_indices\n"
@@ -48,16 +49,15 @@ def prepare(p):
 
 
 @table("row", ["1,5 2,5 3,5", "1,5\t2,5\t3,5", " -1,5  2,5  3,5 ", "1,5 2 3", "1 2 3,5", "1,5 2,5 3,5 0 0 1",
-               "1,5 2,5 3,5 255 0 0", "1,5;2,5;3,5", "1,5 ; 2 ; 3", "1,5, 2,5, 3,5", "1,5 ,2,5 ,3,5", "1,05,2,5,3,5",
-               "1.234,5;2;3", "1.234,5 2.345,6 3.456,7", "1,234.5 2,345.6 3,456.7", "1,234.5\t2\t3",
-               "1,034.5,2,345.6,3,456.7", "1 234,5;2 345,6;3 456,7", "1,234,567.5 2 3"])
-@table("format", ["xyz", "csv"])
-def test_commas_within_numbers(p, row, format):
+               "1,5;2,5;3,5", "1,5, 2,5, 3,5", "1,5 ,2,5 ,3,5", "1,05,2,5,3,5", "1.234,5;2;3", "1.234,5 2.345,6 3.456,7",
+               "1,234.5 2,345.6 3,456.7", "1,234.5\t2\t3", "1,034.5,2,345.6,3,456.7", "1 234,5;2 345,6;3 456,7",
+               "1,234,567.5 2 3"])
+def test_commas_within_numbers(p, row):
     """The first row, a later one, one below names, and one whose columns are named."""
     for text, number, more in ((f"{row}\n{row}\n", 1, ""), (f"0.5 1 2\n\n# comment\n{row}\n", 4, ""),
                                (f"x y z\n0.5 1 2\n{row}\n", 3, ""), (f"{row}\n{row}\n", 1, "--columns 'x y z'")):
-        p.write({f"comma.{format}": text})
-        p(1, f"comma.{format}: row {number} .*with a decimal point", f"comma.{format} {more}")
+        p.write({"comma.csv": text})
+        p(1, f"comma.csv: row {number} .*with a decimal point", f"comma.csv {more}")
 
 
 @table("row", ["1,5 2,5 3,5", "1,234.5 2 3", "1 2 3,5", "1,2,3"])
@@ -83,58 +83,55 @@ def test_integers_with_commas_only(p, code, row, pattern):
     p(code, pattern, "pairs.csv --maximum-distance 1 --report /dev/stdout")
 
 
-@table("name, content, more, pattern", [
-    ("zero.csv", "1,05,2,5,3,5\n", "",
+NAMED = "--columns 'x y z'"
+RAGGED = "1,5,2,5,3,5\n1,5,2,3,5\n"
+RASTER = "NCOLS 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n"
+test_refused = refused_files([
+    ("zero.csv", "1,05,2,5,3,5\n",
      "row 1 has a number with a leading 0 behind a comma, .*write numbers with a decimal point"),
     # More values than names, or another number of them in each row
-    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "", "row 2 has more than 3 values.*with a decimal point"),
-    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "--columns 'x y z'",
-     "row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _."),
-    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "--columns 'x y z'", "row 1 has more than 3 values"),
-    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "--columns 'x _ y z _'", "row 1 has more than 5 values"),
-    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "", "row 2 has 5 values instead of 6.*with a decimal point"),
-    ("more.pcd", PCD_ROWS + "0 0 0\n0 0 0 1\n", "", "row 7 has more than 3 values"),
-    ("less.pcd", PCD_ROWS + "0 0 0\n0.25 0.25\n", "", "row 7 has 2 values instead of 3"),
-    ("less.xyz", BARE + "1 2\n", "", "row 1729 has 2 values instead of 3"),
-    ("more.xyz", BARE + "1 2 3 4\n", "", "row 1729 has more than 3 values"),
-    ("word.xyz", BARE + "1 2 three\n", "", "row 1729 has 'three' where the number z is expected"),
-    ("comma.csv", "1,5;2,5;3,5\n", "", "row 1 is neither a point.*with a decimal point"),
+    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "row 2 has more than 3 values.*with a decimal point"),
+    ("names.csv", "x,y,z\n1,5,2,5,3,5\n",
+     "row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _.", NAMED),
+    ("ragged.csv", RAGGED, "row 1 has more than 3 values", NAMED),
+    ("ragged.csv", RAGGED, "row 1 has more than 5 values", "--columns 'x _ y z _'"),
+    ("ragged.csv", RAGGED, "row 2 has 5 values instead of 6.*with a decimal point"),
+    ("more.pcd", PCD_ROWS + "0 0 0\n0 0 0 1\n", "row 7 has more than 3 values"),
+    ("less.pcd", PCD_ROWS + "0 0 0\n0.25 0.25\n", "row 7 has 2 values instead of 3"),
+    ("less.xyz", BARE + "1 2\n", "row 1729 has 2 values instead of 3"),
+    ("more.xyz", BARE + "1 2 3 4\n", "row 1729 has more than 3 values"),
+    ("word.xyz", BARE + "1 2 three\n", "row 1729 has 'three' where the number z is expected"),
+    ("comma.csv", "1,5;2,5;3,5\n", "row 1 is neither a point.*with a decimal point"),
     # With --decimal-comma
-    *(("points.txt", f"1;2;3\n{row}\n", "--decimal-comma",
-       "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor")
+    *(("points.txt", f"1;2;3\n{row}\n",
+       "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor", "--decimal-comma")
       for row in ("1.234,5;2;3", "1.5;2,5;3", "1 2.25 3", "1.5,2.5,3.5")),
-    *(("many.txt", f"1;2;3\n{row}\n", "--decimal-comma", "row 2 has ")
-      for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
-    ("commas.csv", None, "", "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
-    ("commas.txt", None, "--columns 'x y z'", "row 2 .*or give --decimal-comma."),
+    *(("many.txt", f"1;2;3\n{row}\n", "row 2 has ", "--decimal-comma") for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
+    ("commas.csv", None, "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
+    ("commas.txt", None, "row 2 .*or give --decimal-comma.", NAMED),
     # Names and extensions
-    ("strange.csv", None, "", "row 1 is a line of names that do not tell x, y and z .name the columns by --columns.\n"),
-    ("twice.csv", None, "--columns 'x y z'", "row 2 is a line of names"),
-    *(("raster.asc", "NCOLS 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", *case) for case in (
-        ("", "is a raster of ESRI .its first word is ncols., and no table"),
-        ("--columns 'x y z'", "is a raster of ESRI"))),
-    ("cloud.doc", "1 2 3\n", "", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
-def test_refused(p, name, content, more, pattern):
-    p.write({} if content is None else {name: content})
-    p(1, f"{name}: {pattern}", f"{name} {more}")
+    ("strange.csv", None, "row 1 is a line of names that do not tell x, y and z .name the columns by --columns.\n"),
+    ("twice.csv", None, "row 2 is a line of names", NAMED),
+    ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., and no table"),
+    ("raster.asc", RASTER, "is a raster of ESRI", NAMED),
+    ("cloud.doc", "1 2 3\n", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
 
 
 @table("columns, rows, more", [
     # Commas and semicolons between values are read, also those of integers.
-    ("x y z", "1,2,3\n4,5,6\n", ""), ("x y z", "1.5, 2.5, 3.5\n4, 5,6 ,\n", ""), ("x y z", "1.5 2.5 3.5\n4 ,, 5\n", ""),
-    ("x y z", "1;2.5; 3\r\n4; 5;6;\r\n", ""), ("x y z r g b", "1,-5,2,5,3,5\n0,10,20,0,0,0\n", ""),
-    ("x y z r g b", "1,5,2,5,3,5\n0,.5,20,0,0,0\n", ""), ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"),
-    ("x y z r g b", "x,y,z,r,g,b\n1,5,2,5,3,5\n", ""), ("x y z r g b", "1;5;2;500;3;5\n0;10;20;0;0;0\n", ""),
-    ("x y z r g b", "1,5,2.5,500,3,5\n0,10,20,0,0,0\n", ""),
-    ("x y z r g b", "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n", ""),
+    *(("x y z", rows, "") for rows in ("1,2,3\n4,5,6\n", "1.5, 2.5, 3.5\n4, 5,6 ,\n", "1.5 2.5 3.5\n4 ,, 5\n",
+                                       "1;2.5; 3\r\n4; 5;6;\r\n")),
+    *(("x y z r g b", rows, "") for rows in (
+        "1,-5,2,5,3,5\n0,10,20,0,0,0\n", "1,5,2,5,3,5\n0,.5,20,0,0,0\n", "x,y,z,r,g,b\n1,5,2,5,3,5\n",
+        "1;5;2;500;3;5\n0;10;20;0;0;0\n", "1,5,2.5,500,3,5\n0,10,20,0,0,0\n",
+        "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n")),
+    ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"), ("x y z", "1 2 3 4\n", NAMED), ("x y z", "1;2;3;4\n", NAMED),
     ("_ x y z", "scan 05,1,2,3\nscan 06,1,2,3\n", "--columns '_ x y z'"),
     ("x y z _", "1,2,3,05\n1,2,3,06\n", "--columns 'x y z _'"),
-    ("x _ y z _ _", "1,0,2,3,4,5,\n", "--columns 'x _ y z _ _'"), ("x y z", "1 2 3 4\n", "--columns 'x y z'"),
-    ("x y z", "1;2;3;4\n", "--columns 'x y z'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
+    ("x _ y z _ _", "1,0,2,3,4,5,\n", "--columns 'x _ y z _ _'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
     # x, y and z are never others where a file has them.
     ("_ x y z", "height,x,y,z\n9,1,2,3\n9,2,2,3\n9,3,4,3\n", ""),
     # Decimal commas
-    ("x y z", "1,5 -2,5 3,5e1\n,5 -,5 3\n1 2 3\n", "--decimal-comma"),
     ("x y z", "1,5, 2,5, 3,5\n1,5, 2,5, 4,5\n", "--decimal-comma"),
     ("z y x", "# z, y, x\n1,5;2;3\n1;2;3,25\n", "--decimal-comma"),
     ("x y z _", "X;Y;Z;code 1.2\n1,5;2;3;a.1\n1,5;2;4;b\n", "--decimal-comma")])
@@ -143,6 +140,15 @@ def test_columns(p, columns, rows, more):
     p.write({"right.csv": rows})
     text = p(WARNS, f"columns +{columns}\n", f"right.csv --maximum-distance 1 {more}")
     assert "warning: right.csv" not in text
+
+
+def test_decimal_commas(p):
+    """With a digit before them, a sign, a blank, or nothing"""
+    p.write({"commas.xyz": "1,5 -2,5 3,5e1\n,5 ,25 -,5\n1 2 +,75\n"})
+    p(WARNS, "", "commas.xyz --decimal-comma --maximum-distance 1 --output values.csv --quiet")
+    values = p.csv("values.csv")
+    assert np.stack([values[name] for name in "xyz"], axis=1).tolist() == [[1.5, -2.5, 35], [.5, .25, -.5], [1, 2, .75]]
+    p(0, p.hash("one.ptx"), "commas.ptx --decimal-comma")
 
 
 # --- Names, extensions and a column that counts the rows
@@ -163,17 +169,11 @@ def test_tables_with_the_same_result(p, room_hash, columns, arguments):
     p(0, f"columns +{columns}\n.*{room_hash}", arguments)
 
 
-@table("code, pattern, arguments", [
+test_other_tables = cases([
     (0, "columns +x y z intensity\n", "numbered.xyz --columns 'x y z intensity'"),
     (0, "columns +x y z intensity\n", "raster.xyz --maximum-distance .02"),
     (0, "normals estimated\n +columns +x y z nx ny nz\n", "normals.xyzn"),  # all of them are zero
     (2, "--decimal-comma is for text tables .* and .ptx", "cube.ply --decimal-comma")])
-def test_other_tables(p, code, pattern, arguments):
-    p(code, pattern, arguments)
-
-
-def test_decimal_commas_of_scans(p):
-    p(0, p.hash("one.ptx"), "commas.ptx --decimal-comma")
 
 
 @table("arguments, pattern", [

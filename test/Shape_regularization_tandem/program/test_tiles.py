@@ -6,7 +6,7 @@ import gzip
 import os
 import shutil
 
-from support import HAS_GZIP, HELP, NOTHING, WARNS, ply, properties, table
+from support import HAS_GZIP, HELP, NOTHING, WARNS, cases, ply, properties, table
 from tiles import OPTIONS, OUTPUTS, TILES, write_tiles
 
 ALL = " ".join(TILES)
@@ -61,30 +61,24 @@ def test_a_tile_without_points(p):
 
 
 IS_INPUT = "--output-directory is the folder of {}. take another folder"
-
-
-@table("pattern, arguments", [
+INTO_INPUT = [
+    *((f"{place}/last.{kind}", folder) for place, kind in (("folder", "las"), ("link", "pts"), ("link/../folder", "las"))
+      for folder in ("folder/sub/..", "./folder/", "link", "link/")),
+    ("linked/a.las", "linked"), ("linked/a.las", "folder"), *HAS_GZIP * [("zipped/last.las.gz", "zipped")],
+    # By names through folders that are not there yet, which the run would make; and through those that lead elsewhere
+    *(("folder/last.pts", folder) for folder in (
+        "folder/nn/..", "folder/nn/mm/../../", "./folder/nn/./..//", "nn/../folder", "link/n/..", "deep/n/../..",
+        "link/n/../sub/m/../.."))]
+test_refused_names = cases([
+    *((IS_INPUT.format(name), f"corner.pts {name} --output-directory {folder}") for name, folder in INTO_INPUT),
     ("last.las and folder/last.las would both become out/last.las", "last.las folder/last.las --output-directory out"),
     ("corner.pts and corner.ply would both become out/corner.ply", "corner.pts corner.ply --output-directory out"),
-    *((IS_INPUT.format(name), f"{name} --output-directory {folder}") for place in ("folder", "link")
-      for name in (f"{place}/last.las", f"{place}/last.pts", f"{place}/../folder/last.las")
-      for folder in ("folder/sub/..", "./folder/", "folder/.", "link", "link/")),
-    *((IS_INPUT.format("linked/a.las"), f"linked/a.las --output-directory {folder}") for folder in ("linked", "folder")),
-    (IS_INPUT.format("folder/last.las"), "corner.pts folder/last.las --output-directory folder"),
-    *(HAS_GZIP * [(IS_INPUT.format("zipped/last.las.gz"), "zipped/last.las.gz --output-directory zipped")]),
-    # By names through folders that are not there yet, which the run would make; and through those that lead elsewhere
-    *((IS_INPUT.format("folder/last.pts"), f"folder/last.pts --output-directory {folder}")
-      for folder in ("folder/nn/..", "folder/nn/../", "folder/nn/mm/../../", "./folder/nn/./..//", "nn/../folder",
-                     "link/n/..", "deep/n/../..", "link/n/../sub/m/../..")),
     ("out/last.las is named twice", "last.las --output-directory out --labels out/last.las"),
-    ("--output-directory is '-'", "last.las --output-directory -")])
-def test_refused_names(p, pattern, arguments):
-    p(2, pattern, arguments)
-    assert p.read("folder/last.ply") == p.read("zipped/last.las") == "old"
-    assert not p.has("out", "folder/nn", "folder/n", "folder/sub/n", "nn")
+    ("--output-directory is '-'", "last.las --output-directory -")], 2, absent=["out", "folder/nn", "folder/n", "folder/sub/n", "nn"])
 
 
 def test_other_names(p):
+    assert p.read("folder/last.ply") == p.read("zipped/last.las") == "old"
     p(0, NOTHING, f"last.las {OPTIONS} --quiet --output-directory folder/nn/../out")
     assert p.is_same("new/one/last.las", "folder/out/last.las")
     for name in ("folder/nn", "folder/out"):
@@ -98,19 +92,13 @@ def test_other_names(p):
     ("no/planes: cannot be written", f"last.las {OPTIONS} --output-directory made/one/two --planes no/planes"),
     ("--maximum-distance is 1e-09 while the extent", "last.las --output-directory made/one --maximum-distance 1e-9"),
     ("last.las/two: cannot be made .Not a directory", "last.las --output-directory last.las/two"),
-    ("/dev/full: cannot be written completely",
-     f"last.las {OPTIONS} --output-directory made/one/two --report /dev/full")])
+    *(("/dev/full: cannot be written completely", f"last.las {OPTIONS} --output-directory {folder} --report /dev/full")
+      for folder in ("made/one/two", "taken/one"))])
 def test_a_run_that_fails_leaves_no_folder(p, pattern, arguments):
+    """One of before stays."""
     p.path("taken/last.las").mkdir(parents=True, exist_ok=True)
     p(1, pattern, arguments)
-    assert not p.has("out", "taken/corner.ply", "made")
-
-
-def test_a_folder_of_before_stays(p):
-    p.path("before").mkdir()
-    p(1, "/dev/full: cannot be written completely",
-      f"last.las {OPTIONS} --output-directory before/one --report /dev/full")
-    assert p.has("before") and not p.has("before/one")
+    assert p.has("taken") and not p.has("out", "taken/corner.ply", "taken/one", "made")
 
 
 def test_other_processes(p):

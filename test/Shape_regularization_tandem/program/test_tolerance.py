@@ -7,8 +7,8 @@ import re
 
 import numpy as np
 import pytest
-from clouds import corridor, sensor_points
-from support import BARE, HELP, N, NOTHING, ROWS, VERTICES, WARNS, pcd, ply, table, text_of
+from clouds import MAP, as_floats, corridor, sensor_room
+from support import BARE, HELP, N, NOTHING, PROGRAM, ROWS, VERTICES, WARNS, cases, pcd, ply, table, text_of
 
 # Of the 1728 points of the cube, 24 have no tolerance, those of an edge have a small one.
 POINTS = ROWS[:, :3]
@@ -48,18 +48,14 @@ def test_columns(p):
         assert p.is_same("0.labels", f"{i}.labels")
 
 
-@table("expected, ignored, arguments", [
-    (EXPECTED, 48, "named.csv second.txt"),
-    ({**EXPECTED, "maximum": 0.0048828125}, 24, "cloud.ply --maximum-distance 0.0048828125")])
-def test_inputs_and_bounds(p, expected, ignored, arguments):
-    """More than one input; and an upper bound that is less."""
-    check_tolerances(p, "sigma", expected, ignored, arguments + " --tolerance-column sigma")
-
-
-@table("format", ["ply", "pcd", "xyz", "csv"])
-def test_they_are_written_and_read_again(p, format):
-    p(0, NOTHING, f"cloud.ply --tolerance-column sigma --output out.{format} --quiet")
-    check_tolerances(p, "tolerance", EXPECTED, 24, f"out.{format} --estimate-normals --tolerance-column tolerance")
+def test_inputs_and_bounds(p):
+    """More than one input; an upper bound that is less; and what is written of them, read again."""
+    check_tolerances(p, "sigma", EXPECTED, 48, "named.csv second.txt --tolerance-column sigma")
+    check_tolerances(p, "sigma", {**EXPECTED, "maximum": 0.0048828125}, 24,
+                     "cloud.ply --maximum-distance 0.0048828125 --tolerance-column sigma")
+    for format in ("ply", "pcd", "xyz", "csv"):
+        p(0, NOTHING, f"cloud.ply --tolerance-column sigma --output out.{format} --quiet")
+        check_tolerances(p, "tolerance", EXPECTED, 24, f"out.{format} --estimate-normals --tolerance-column tolerance")
 
 
 def test_extra_bytes_of_las(p):
@@ -71,18 +67,18 @@ def test_extra_bytes_of_las(p):
       "out.las --tolerance-column sigma")
 
 
-@table("code, pattern, arguments", [
+NO_NOISE = ("+", "0", "r - r", "1 2", "r^3", "r*r*r", "r^", "2*", "1e999", "(r)", "0,5", "nan", "a + b*r", "r^-1", "r/2", "2 r 3")
+test_options = cases([
     (0, "; ignored: 24 without a tolerance\n.*tolerances  0.003906 to 0.007812, by column sigma\n.*shapes +3 in",
      "cloud.ply --tolerance-column sigma"),
-    (1, "cloud.ply: has no property 'error', which --tolerance-column names; it has other, sigma\n",
-     "cloud.ply --tolerance-column error"),
+    *((1, f"cloud.ply: has no property '{name}', which --tolerance-column names; it has other, sigma\n",
+       f"cloud.ply --tolerance-column '{name}'") for name in ("error", "_", " ", "si")),
     (1, "cloud.pcd: has no field 'error', .* it has x, y, z, other, Sigma\n", "cloud.pcd --tolerance-column error"),
     (1, "named.csv: has no column 'error', .* it has X, Y, Z, sigma\n", "named.csv --tolerance-column error"),
     (1, "named.csv: the column 'z' of --tolerance-column is a coordinate", "named.csv --tolerance-column z"),
     (1, "bare.xyz: has no line of names, .*--columns names them", "bare.xyz --tolerance-column sigma"),
-    (2, ": --columns has no 'sigma', which --tolerance-column names",
-     "bare.xyz --columns 'x y z _' --tolerance-column sigma"),
-    (2, ": --columns has no '_', which --tolerance-column names", "bare.xyz --columns 'x y z _' --tolerance-column _"),
+    *((2, f": --columns has no '{name}', which --tolerance-column names",
+       f"bare.xyz --columns 'x y z _' --tolerance-column {name}") for name in ("sigma", "_")),
     (2, ": --columns has 'error', must be of", "bare.xyz --columns 'x y z error' --tolerance-column sigma"),
     # Noise
     (0, "tolerances  0.00[0-9]* to 0.01[0-9]*, by noise 0.001 . 0.02[*]r\n.*shapes +3 in",
@@ -96,8 +92,8 @@ def test_extra_bytes_of_las(p):
     (1, "origin.pcd: the VIEWPOINT is 0 0 0 1 0 0 0, .*: --noise needs it by --viewpoint X,Y,Z", "origin.pcd --noise r"),
     (1, "plain.xyz: has no place of the sensor: --noise needs it by --viewpoint X,Y,Z", "far.pcd plain.xyz --noise r"),
     (2, ": --noise needs the place of the sensor: --viewpoint X,Y,Z .0,0,0 if it is the origin.", "plain.xyz --noise r"),
-    *((2, ": --noise is '[^']*', which .*; it must be a sum of numbers and powers of the range r, as in ",
-       f"plain.xyz --noise '{text}' {BOUND}") for text in ("r^3", "1 2", "a + b*r", "0.1 +", "0,1", "0")),
+    *((2, f": --noise is '{re.escape(text)}', which .*; it must be a sum of numbers and powers of the range r, as in ",
+       f"plain.xyz --noise='{text}' {BOUND}") for text in NO_NOISE),
     # One number, or one for each point
     (0, "maximum distance 0.004, angle", "plain.xyz E"),
     (0, "tolerances .* by auto-local\n.*shapes +3 in", "plain.xyz --maximum-distance auto-local"),
@@ -105,15 +101,15 @@ def test_extra_bytes_of_las(p):
     (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
     *((2, ": --maximum-distance auto-local and --[a-z-]* both give ", f"cloud.ply --maximum-distance auto-local {more}")
       for more in (f"--noise r {BOUND}", "--tolerance-column sigma"))])
-def test_options(p, code, pattern, arguments):
-    p(code, pattern, arguments)
 
 
-def test_a_multiple_of_the_noise(p):
-    """It is the tolerance, and the help tells it."""
+@table("text, noise", [("2.8e-3r^2+.001", .001 + .0028 * 25), (" r * r * 2.8e-3 - 1e-3 r + -0.05 ", .015), ("R**2", 25),
+                       ("r\u00b2 + r^1 + r^0", 31), ("0.5*0.5 r", 1.25), ("1+1", 2)])
+def test_noise(p, text, noise):
+    """At a range of 5, of which the tolerance is a multiple, as the help tells"""
     multiple = float(re.search("tolerance of each point is ([0-9.]*) times that", re.sub(r"\s+", " ", HELP)).group(1))
-    p(WARNS, "", f"near.xyz --noise '0.3 r' {BOUND} --report t.json --minimum-region-size 3 --quiet")
-    assert multiple > 1 and p.json("t.json")["tolerance"]["minimum"] == pytest.approx(.3 * 5 * multiple, rel=.01)
+    p(WARNS, "", ["near.xyz", "--noise", text, "--viewpoint", "0,0,0", "--report", "t.json", "--quiet"])
+    assert multiple > 1 and p.json("t.json")["tolerance"]["minimum"] == pytest.approx(noise * multiple, rel=1e-4)
 
 
 def test_auto(p):
@@ -122,10 +118,9 @@ def test_auto(p):
     assert p.is_same("a.planes", "b.planes")
 
 
-@table("seed", [1, 2, 3])
-def test_corridor(p, seed):
+def test_corridor(p):
     """Noise grows with the square of the range; its shapes are its walls and its end."""
-    p.write({"corridor.xyz": text_of(corridor(seed))})
+    p.write({"corridor.xyz": text_of(corridor(1))})
     p(0, "shapes +5 in 5 planes of 3 directions", "corridor.xyz --noise '0.0028*r^2' --viewpoint 1,2,3")
     p(0, "estimate +The noise varies from .*: each point has a tolerance of its own .*by auto-local.*shapes +5 in 5 planes",
       "corridor.xyz --report t.json")
@@ -135,14 +130,15 @@ def test_corridor(p, seed):
 # --- Coordinates that are none, or no longer what was measured
 
 SENSOR = "--maximum-distance 0.012"
+NEAR, FAR, AROUND = (-2, -1, .6), MAP, (-2, -1.5, -1)
 
 
-@table("seed", [1, 2])
-@table("kind, zeros", [("far", 20), ("half", 3000)])
-def test_zeros_are_left_out(p, seed, kind, zeros):
-    points = sensor_points(kind, seed)
+@table("corner, zeros", [(FAR, 20), (NEAR, 3000)])
+def test_zeros_are_left_out(p, corner, zeros):
+    room = sensor_room(corner)
+    points = np.insert(room, np.linspace(0, len(room), zeros, dtype=int), 0, axis=0)
     is_zero = (points == 0).all(axis=1)
-    p.write({"z.xyz": text_of(points), "others.xyz": text_of(points[~is_zero])})
+    p.write({"z.xyz": text_of(points), "others.xyz": text_of(room)})
     p(0, f"; ignored: {zeros} at 0 0 0\n.*shapes +3 in 3 planes", f"z.xyz --ignore-zeros {SENSOR} --report z.json "
       "--labels z.labels --output z.txt --planes z.planes")
     counts = p.json("z.json")["counts"]
@@ -155,34 +151,47 @@ def test_zeros_are_left_out(p, seed, kind, zeros):
     p(0, NOTHING, f"others.xyz {SENSOR} --planes others.planes --quiet")
     assert p.is_same("z.planes", "others.planes")
     p.warns("z.xyz --ignore-zeros")
-    if kind == "half":  # where they are not left out, a hint does not blame the tolerance
-        p.warns(f"z.xyz {SENSOR}", "3000 points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros")
 
 
-def test_all_points_are_zeros(p):
-    p.write({"zero.xyz": "0 0 0\n" * 3})
-    p(1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")
+def as_degrees(points):
+    return points * (1 / 400, 1 / 300, 10) + (-71.06, 42.36, 0)
 
 
-@table("seed", [1, 2])
-@table("kind, more, patterns", [
-    ("plain", SENSOR, []), ("plain", "", []),
-    ("floats", "--maximum-distance 0.2", ["rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.2: write "
-                                          "doubles, or subtract an offset"]),
-    ("floats", "", None), ("degrees", "", None)])
-def test_rounded_coordinates_and_degrees(p, seed, kind, more, patterns):
-    p.write({"sensor.xyz": text_of(sensor_points(kind, seed))})
-    if patterns is not None:
-        p.warns(f"sensor.xyz {more}", *patterns)
-    elif kind == "floats":  # whatever is estimated
-        p(WARNS, "warning: the coordinates are rounded, .*y in steps of 0.5", "sensor.xyz")
-    else:
-        p(WARNS, "warning: the coordinates look like degrees of longitude and latitude .*: project such coordinates "
-          "first, to UTM", "sensor.xyz")
+def raster():
+    i, j = (a.ravel() for a in np.mgrid[:80, :60])
+    return np.column_stack([694386 + i, 5155487.5 + j, 380 + .1 * i + .01 * np.random.default_rng(1).integers(100, size=len(i))])
+
+
+# Clouds, the tolerance, and the one warning of the coordinates, if there is any
+CLOUDS = [
+    # Coordinates that went through floats, or streams as they write by default
+    (sensor_room(FAR), .02, ""), (as_floats(sensor_room(NEAR)), .0001, ""), (as_floats(sensor_room(FAR)), 3, ""),
+    (as_floats(sensor_room(FAR)), .02,
+     "rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.02: write doubles, or subtract an offset"),
+    (as_floats(sensor_room(FAR)), 1, "rounded, y in steps of 0.5, while"),
+    (np.vectorize(lambda x: float(f"{x:.6g}"))(10 * sensor_room((69438.62, 51554.875, 380), 20000)), .1,
+     "rounded, x in steps of 1, y in steps of 1, while .*more digits"),
+    # Millimeters, copies on a grid, and rasters of meters, also at half of them, are no rounded coordinates.
+    (np.round(1000 * sensor_room(NEAR)), 12, ""), (np.round(np.repeat(sensor_room(NEAR)[:900], 8, axis=0), 2), .015, ""),
+    (raster(), .2, ""), (sensor_room((0, 0, 380)), .02, ""), (.01 * sensor_room((0, 0, 380)), .0002, ""),
+    (as_degrees(sensor_room((0, 0, 38))), .1, "look like degrees of longitude and latitude .*: project .* first, to UTM"),
+    # A few points at 0 0 0 far from the others, or many near them
+    *((np.concatenate([sensor_room(corner), np.zeros((zeros, 3))]), .02,
+       f"{zeros} points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros" if zeros > least else "")
+      for corner, least in ((FAR, 3), (NEAR, 3), (AROUND, 100)) for zeros in (2, 20, 500))]
+
+
+@table("points, tolerance, pattern", CLOUDS)
+def test_coordinates(p, points, tolerance, pattern):
+    p.write({"sensor.xyz": text_of(points)})
+    err = p.run([PROGRAM, "sensor.xyz", "--maximum-distance", str(tolerance), "--quiet"], {})[2]
+    found = re.findall("[^\n]*(?:in steps of|degrees of|at 0 0 0)[^\n]*", err)
+    assert len(found) == bool(pattern) and re.search(pattern, "".join(found)), err
 
 
 def test_names_of_degrees(p):
-    p.write({"named_degrees.csv": "lon,lat,height\n" + text_of(sensor_points("degrees", 1), ",")})
+    p.write({"zero.xyz": "0 0 0\n" * 3, "named_degrees.csv": "lon,lat,height\n" + text_of(as_degrees(sensor_room(NEAR)), ",")})
+    p(1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")
     text = p(WARNS, "warning: named_degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so "
              "project", "named_degrees.csv --maximum-distance 0.1")
     assert re.search("columns +x y z\n", text)

@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What detect_planes() accepts as arrays and parameters, and what it raises."""
+"""What detect_planes() accepts as arrays and parameters, and what it raises; tolerances of points, and points at 0 0 0."""
 
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -15,7 +16,7 @@ def hash_of(points, normals):
     return tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE).hash
 
 
-def test_other_layouts_have_the_same_result():
+def test_other_layouts_and_types_have_the_same_result():
     points, normals = room()
     expected = shapes_of_room().hash
     interleaved = np.concatenate([points, normals], axis=1)
@@ -25,10 +26,6 @@ def test_other_layouts_have_the_same_result():
     every_other = np.repeat(points, 2, axis=0)[::2]
     every_other.flags.writeable = False
     assert hash_of(every_other, normals.tolist()) == expected
-
-
-def test_other_types_are_converted():
-    points, normals = room()
     short = points.astype(np.float32), normals.astype(np.float32)
     assert hash_of(*short) == hash_of(short[0].astype(float), short[1].astype(float))
     whole = np.round(1000 * points).astype(np.int64)
@@ -96,6 +93,13 @@ def test_few_points():
         assert (shapes.planes.shape, shapes.orthogonal_pairs.shape) == ((0, 4), (0, 2))
 
 
+def test_wrong_maps():
+    points = room()[0]
+    for wrong in (np.ones(len(points) - 1), np.ones((len(points), 1)), 0.03, "text", np.ones(len(points)) > 0):
+        with pytest.raises(ValueError, match="^maximum_distance_map must"):
+            tandem.detect_planes(points, maximum_distance_map=wrong)
+
+
 def test_out_of_range():
     for name, value in (
         ("maximum_distance", 0), ("maximum_distance", -1), ("maximum_distance", np.nan), ("maximum_angle", 90),
@@ -108,23 +112,13 @@ def test_out_of_range():
 
 
 def test_huge_numbers():
-    for name in ("maximum_distance", "maximum_angle", "angle_tolerance", "maximum_offset", "minimum_region_size",
-                 "simplicity", "regularity", "surfel_size", "k_neighbors", "cell_size", "threads"):
-        for value in (10**400, -10**400, 10**5000, Fraction(10**400), 2**63, -2**63 - 1, 10**30):
-            fits = isinstance(value, int) and abs(value) < 10**31 and name in ("maximum_distance", "maximum_offset")
-            is_count = name in ("minimum_region_size", "k_neighbors", "cell_size", "threads")
-            wrong = TypeError if is_count and isinstance(value, Fraction) else ValueError
-            if not fits or value < 0:
-                with pytest.raises(wrong, match=f"^{name} (is|must be) "):
-                    tandem.detect_planes(np.zeros((1, 3)), **{name: value})
-    for name in ("maximum_distance", "maximum_angle", "maximum_offset", "regularity"):
-        with pytest.raises(ValueError, match=f"^{name} is"):
-            tandem.regularize_planes(np.zeros((1, 3)), [0], [[0, 0, 1, 0]], **{name: 10**400})
-    for index in (10**30, -10**30, 2**63, 10**5000):
-        with pytest.raises(IndexError):
-            shapes_of_room().points_of(index)
-    with pytest.raises(TypeError):
-        shapes_of_room().points_of(1.5)
+    counts = ("minimum_region_size", "k_neighbors", "cell_size", "threads")
+    lengths = ("maximum_distance", "maximum_offset")
+    for name in ("maximum_angle", "angle_tolerance", "simplicity", "regularity", "surfel_size", *lengths, *counts):
+        for value in (10**400, -10**400, Fraction(10**400), -2**63 - 1, *(() if name in lengths else (2**63,))):
+            wrong = TypeError if name in counts and isinstance(value, Fraction) else ValueError
+            with pytest.raises(wrong, match=f"^{name} (is|must be) "):
+                tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
 
 def test_wrong_types():
@@ -134,8 +128,11 @@ def test_wrong_types():
             tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
 
+SWITCHES = ["regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity"]
+
+
 def test_arrays_in_place_of_values():
-    for name in ("regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity", "backend"):
+    for name in [*SWITCHES, "backend"]:
         with pytest.raises(ValueError, match=f"^{name} (is|must be) "):
             tandem.detect_planes(np.zeros((1, 3)), **{name: np.array([1, 2])})
 
@@ -143,13 +140,19 @@ def test_arrays_in_place_of_values():
 def test_they_are_used():
     given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
              "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
-             "k_neighbors": 15, "cell_size": 4096,
-             "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False,
+             "k_neighbors": 15, "cell_size": 4096, **dict.fromkeys(SWITCHES, False),
              "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
     shapes = tandem.detect_planes(*room(), **given)
     assert shapes.parameters == given
     assert shapes.minimum_region_size == 200
     assert len(set(shapes.parallel_groups.tolist())) == len(shapes)
+
+
+def test_each_switch_is_used():
+    for name in SWITCHES:
+        given = {other: other != name for other in SWITCHES}
+        parameters = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, **given).parameters
+        assert {other: parameters[other] for other in SWITCHES} == given
 
 
 def test_estimates_are_those_of_a_detection():
@@ -165,3 +168,91 @@ def test_too_large_an_extent():
     with pytest.raises(ValueError, match="extent"):
         tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
 
+
+# --- Tolerances of points
+
+
+def tolerances_of(points):
+    """Half of the largest for half of the points."""
+    return np.where(points[:, 0] > 2, 2 * MAXIMUM_DISTANCE, MAXIMUM_DISTANCE)
+
+
+def test_points_are_within_their_own():
+    points, normals = room()
+    tolerances = tolerances_of(points)
+    expected = tandem.detect_planes(points, normals, maximum_distance_map=list(tolerances)).hash
+    shapes = tandem.detect_planes(points, normals, maximum_distance_map=tolerances)
+    assert (len(shapes), shapes.maximum_distance, shapes.hash) == (6, 2 * MAXIMUM_DISTANCE, expected)
+    has_shape = shapes.labels >= 0
+    planes = shapes.planes[shapes.labels[has_shape]]
+    distances = np.abs((planes[:, :3] * points[has_shape]).sum(axis=1) + planes[:, 3])
+    assert (distances <= tolerances[has_shape] * (1 + 1e-12)).all()
+    tolerances[:] = 1e-9  # it has its own
+    assert tandem.find_violation(points, shapes) is None
+
+
+def test_one_that_is_not_positive_is_counted():
+    points, normals = room()
+    tolerances = np.ma.array(tolerances_of(points))
+    tolerances[[3, 4, 5]] = [0, -1, np.nan]
+    tolerances[6] = np.ma.masked
+    shapes = tandem.detect_planes(points, normals, maximum_distance_map=tolerances)
+    assert shapes.labels[3:7].tolist() == [-1] * 4
+    assert shapes.statistics["number_of_ignored_tolerances"] == 4
+    assert shapes.statistics["number_of_ignored_coordinates"] == 0
+    assert tandem.find_violation(points, shapes) is None
+
+
+def test_the_number_is_the_upper_bound():
+    points, normals = room()
+    wide = np.full(len(points), 10.0)
+    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE, maximum_distance_map=wide)
+    assert shapes.maximum_distance == MAXIMUM_DISTANCE
+    assert shapes.labels.tolist() == shapes_of_room().labels.tolist()
+
+
+def test_a_note_on_the_estimate():
+    random = np.random.default_rng(3)
+    points = random.random((20000, 3)) * 2
+    points[:, 2] = np.round(0.12 * points[:, 0] / 0.04) * 0.04
+    assert re.search(".* coordinates are in steps.*[.]$", tandem.detect_planes(points).statistics["estimate_note"])
+    assert tandem.detect_planes(points, maximum_distance=0.1).statistics["estimate_note"] == ""
+
+
+def test_local_distances():
+    points = room()[0].copy()
+    points[5] = np.nan
+    distances = tandem.estimate_local_distances(points)
+    assert (distances.shape, distances.dtype) == ((len(points),), np.float64)
+    assert (np.delete(distances, 5) > 0).all()
+    shapes = tandem.detect_planes(points, maximum_distance_map=distances)
+    assert tandem.find_violation(points, shapes) is None
+    assert shapes.statistics["number_of_ignored_coordinates"] == 1
+
+
+# --- Points at 0 0 0
+
+
+def test_zeros_are_left_out():
+    points, normals = room()
+    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points + 1, [[0.0] * 3] * 700, [[np.nan] * 3]])
+    given = np.concatenate([[[0.0, 0, 1]] * 3, normals, [[0.0, 0, 1]] * 701])
+    plain = tandem.detect_planes(points + 1, normals, maximum_distance=MAXIMUM_DISTANCE)
+    for more in ({}, {"maximum_distance_map": np.full(len(with_zeros), MAXIMUM_DISTANCE)}):
+        shapes = tandem.detect_planes(with_zeros, given, maximum_distance=MAXIMUM_DISTANCE, ignore_zeros=True, **more)
+        assert shapes.planes.tobytes() == plain.planes.tobytes()
+        assert shapes.labels.tolist() == [-1] * 3 + plain.labels.tolist() + [-1] * 701
+        assert shapes.statistics["number_of_ignored_zeros"] == 703
+        assert shapes.statistics["number_of_ignored_coordinates"] == 1
+        assert tandem.find_violation(with_zeros, shapes) is None
+    others = tandem.detect_planes(with_zeros, given, maximum_distance=MAXIMUM_DISTANCE)
+    assert others.statistics["number_of_ignored_zeros"] == 0
+
+
+def test_estimates_of_the_others():
+    points = room()[0] + 1
+    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points, [[0.0] * 3] * 700])
+    assert tandem.estimate_parameters(with_zeros, ignore_zeros=True) == tandem.estimate_parameters(points)
+    distances = tandem.estimate_local_distances(with_zeros, ignore_zeros=True)
+    assert distances[3:-700].tobytes() == tandem.estimate_local_distances(points).tobytes()
+    assert np.isnan(np.concatenate([distances[:3], distances[-700:]])).all()

@@ -1,12 +1,12 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a result has, and that its arrays are views."""
+"""What a result has, that its arrays are views, and the table of its shapes, which reads the array of the points."""
 
 import copy
-import copyreg
 import gc
 import pickle
 import re
+import weakref
 
 import numpy as np
 import pytest
@@ -35,35 +35,27 @@ def test_relations_are_exact():
         assert abs(directions[first] @ directions[second]) <= 1e-15
 
 
-def test_uncertainties():
-    points = room()[0]
-    shapes = shapes_of_room()
-    u = shapes.uncertainties
-    for s, plane in enumerate(shapes.planes):
-        own = points[shapes.points_of(s)]
-        np.testing.assert_allclose(u["centroid"][s], own.mean(axis=0), atol=1e-3 * MAXIMUM_DISTANCE)
-        noise = np.sqrt(((own @ plane[:3] + plane[3]) ** 2).sum() / (len(own) - 3))
-        assert u["noise"][s] == pytest.approx(noise, rel=0, abs=5e-3 * MAXIMUM_DISTANCE)
-        assert u["offset_deviation"][s] == pytest.approx(u["noise"][s] / np.sqrt(len(own)), rel=0, abs=5e-8)
-        covariance = u["normal_covariance"][s]
-        np.testing.assert_allclose(covariance @ plane[:3], 0, atol=1e-12 * np.trace(covariance))
-        assert u["angle_deg"][s] == pytest.approx(np.degrees(np.sqrt(np.linalg.eigvalsh(covariance)[2])), rel=0, abs=5e-8)
-
-
-def test_free_points():
+def test_statistics():
     shapes = shapes_of_room()
     reasons = dict(shapes.statistics["free_points"])
     total = reasons.pop("total")
     assert (total, sum(reasons.values())) == (np.count_nonzero(shapes.labels == -1),) * 2
     assert list(reasons) == ["without_normal", "misfit", "without_neighbors", "in_small_regions", "clutter", "unselected"]
+    noted = tandem.detect_planes(*room(), maximum_angle=0.9)
+    assert noted.statistics["angle_note"] == "maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"
+    assert shapes.statistics["angle_note"] == ""
 
 
-def test_a_note_on_a_cosine():
-    points, normals = room()
-    shapes = tandem.detect_planes(points, normals, maximum_angle=0.9)
-    expected = "maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"
-    assert shapes.statistics["angle_note"] == expected
-    assert shapes_of_room().statistics["angle_note"] == ""
+def test_uncertainties():
+    points, shapes = room()[0], shapes_of_room()
+    u = shapes.uncertainties
+    for s, plane in enumerate(shapes.planes):
+        own = points[shapes.points_of(s)]
+        np.testing.assert_allclose(u["centroid"][s], own.mean(axis=0), atol=1e-3 * MAXIMUM_DISTANCE)
+        covariance = u["normal_covariance"][s]
+        np.testing.assert_allclose(covariance @ plane[:3], 0, atol=1e-12 * np.trace(covariance))
+        assert u["angle_deg"][s] == pytest.approx(np.degrees(np.sqrt(np.linalg.eigvalsh(covariance)[2])), rel=0, abs=5e-8)
+        assert u["offset_deviation"][s] == pytest.approx(u["noise"][s] / np.sqrt(len(own)), rel=0, abs=5e-8)
 
 
 def test_points_of_shapes():
@@ -71,18 +63,14 @@ def test_points_of_shapes():
     for s in range(len(shapes)):
         assert shapes.points_of(s).tolist() == np.flatnonzero(shapes.labels == s).tolist()
         assert len(shapes.points_of(s)) >= shapes.minimum_region_size
+        outward = -shapes.planes[s] if shapes.is_flipped[s] else shapes.planes[s]
+        assert (room()[1][shapes.points_of(s)] @ outward[:3]).mean() > 0.9
     assert shapes.points_of(-1).tolist() == shapes.points_of(5).tolist()
-    for wrong in (6, -7):
+    for wrong in (6, -7, 10**30, -2**63, 10**5000):
         with pytest.raises(IndexError):
             shapes.points_of(wrong)
-
-
-def test_orientation():
-    points, normals = room()
-    shapes = shapes_of_room()
-    oriented = np.where(shapes.is_flipped[:, None], -shapes.planes, shapes.planes)
-    for s, plane in enumerate(oriented):
-        assert (normals[shapes.points_of(s)] @ plane[:3]).mean() > 0.9
+    with pytest.raises(TypeError):
+        shapes.points_of(1.5)
 
 
 def test_violations_are_found():
@@ -114,7 +102,7 @@ def test_they_come_from_functions_only_and_are_not_copied():
 
     for made in (tandem.PlanarShapes, type(_tandem.default_settings())):
         for make in (made, lambda: made.__new__(made), lambda: made.__mro__[1].__new__(made), Derived,
-                     lambda: object.__new__(made), lambda: copyreg.__newobj__(made)):
+                     lambda: object.__new__(made)):
             with pytest.raises(TypeError):
                 make()
     for function in (copy.copy, copy.deepcopy, pickle.dumps):
@@ -182,36 +170,6 @@ def test_planes_of_another_detector():
     assert relations.angles.max() < 5 and relations.largest_distances.max() < 0.1 and relations.maximum_distance > 0
 
 
-def test_unit_normals():
-    """Related planes have unit normals, all others stay as they are."""
-    random = np.random.default_rng(3)
-    counts = {True: 0, False: 0}
-    for _ in range(200):
-        m = random.integers(1, 7)
-        frame = np.linalg.qr(random.standard_normal((3, 3)))[0] if random.random() < .5 else np.eye(3)
-        points, labels, planes = [np.zeros((0, 3))], [], []
-        for s in range(m):
-            normal = np.eye(3)[random.integers(3)] + random.choice([0, 0, .02, .5]) * random.standard_normal(3)
-            normal = frame @ normal / np.linalg.norm(normal)
-            n, offset = random.choice([0, 2, 3, 40, 40]), random.integers(3) * random.choice([.005, 1])
-            points.append(offset * normal + random.random((n, 2)) @ np.linalg.svd(normal[None])[2][1:])
-            labels += n * [s]
-            planes.append(random.choice([1, 2, -3, 1e-200, 1e200, 0, np.nan]) * np.array([*normal, -offset]))
-        planes = np.array(planes)
-        given = {"fixed_directions": [frame[2]]} if random.random() < .3 else {}
-        r = tandem.regularize_planes(np.concatenate(points), np.array(labels, int), planes,
-                                     maximum_angle=random.choice([2, 10]), **given)
-        paired = {g for pair in r.orthogonal_pairs.tolist() for g in pair}
-        for s, group in enumerate(r.parallel_groups.tolist()):
-            is_related = group in paired or (r.parallel_groups == group).sum() > 1
-            if is_related or r.is_changed[s]:
-                assert np.linalg.norm(r.planes[s, :3]) == pytest.approx(1, rel=0, abs=5e-15)
-            if not r.is_changed[s]:
-                assert r.planes[s].tobytes() == planes[s].tobytes()
-            counts[is_related] += 1
-    assert min(counts.values()) > 100
-
-
 def test_masked_arguments():
     points = np.ma.array([[x, y, 0.] for x in range(4) for y in range(4)])
     points[3, 1] = np.ma.masked
@@ -230,13 +188,11 @@ def test_errors():
     points, labels, planes = np.zeros((4, 3)), [0, 0, 0, -1], [[0, 0, 1, 0]]
     assert tandem.regularize_planes(points, labels, planes).planes.tolist() == planes
     assert len(tandem.regularize_planes(points, [-1] * 4, np.zeros((0, 4))).planes) == 0
-    for arguments, name in (((points, labels[1:], planes), "labels"), ((points, [0, 0, 0, 1], planes), "labels"),
-                            ((points, [0, 0, 0, -2], planes), "labels"), ((points, [0.5] * 4, planes), "labels"),
-                            ((points, labels, [[0, 0, 1]]), "planes"), ((points[0], labels, planes), "points")):
+    for name, wrong in (("labels", labels[1:]), ("labels", [0, 0, 0, 1]), ("labels", [0, 0, 0, -2]), ("labels", [0.5] * 4),
+                        ("planes", [[0, 0, 1]]), ("points", points[0]), ("maximum_angle", 50), ("regularity", 10**400)):
+        arguments = {"points": points, "labels": labels, "planes": planes, name: wrong}
         with pytest.raises(ValueError, match=f"^{name}"):
-            tandem.regularize_planes(*arguments)
-    with pytest.raises(ValueError, match="^maximum_angle is 50"):
-        tandem.regularize_planes(points, labels, planes, maximum_angle=50)
+            tandem.regularize_planes(**arguments)
 
 
 def test_vertical():
@@ -259,3 +215,47 @@ def test_axis_of_symmetry():
     with pytest.raises(ValueError, match=r"^fixed_directions\[0\] is \(0, 0, 0\)"):
         tandem.detect_planes(room()[0], fixed_directions=np.zeros((1, 3)))
 
+
+# --- The table of the shapes, whose numbers are those of the program: test_programs.py
+
+
+def test_columns():
+    shapes, table = shapes_of_room(), shapes_of_room().table()
+    counts = ["shape", "points", "parallel_group", "coplanar_group"]
+    assert {name: column.dtype for name, column in table.items()} == {
+        name: np.dtype(np.int64 if name in counts else np.float64) for name in table}
+    np.testing.assert_array_equal(np.stack([table[name] for name in "abcd"], axis=1), shapes.planes)
+    np.testing.assert_array_equal(table["coplanar_group"], shapes.coplanar_groups)
+    np.testing.assert_array_equal(table["angle_deviation_deg"], shapes.uncertainties["angle_deg"])
+    empty = tandem.detect_planes(np.zeros((0, 3)), maximum_distance=1).table()
+    assert {column.shape for column in table.values()} == {(6,)} and {column.shape for column in empty.values()} == {(0,)}
+
+
+def test_upward():
+    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(1, 0, 0))
+    table = shapes.table()
+    np.testing.assert_allclose(np.sort(table["highest"]), [0] + 5 * [4], atol=0.05)
+
+
+def test_points_that_change():
+    points = room()[0].copy()
+    shapes = tandem.detect_planes(points, room()[1], maximum_distance=MAXIMUM_DISTANCE)
+    first = shapes.table()
+    points += 1e-6
+    assert shapes.table()["x"][0] == pytest.approx(first["x"][0] + 1e-6, rel=0, abs=5e-10)
+    points += 1
+    with pytest.raises(ValueError, match="points were changed after the detection"):
+        shapes.table()
+
+
+def test_points_are_kept():
+    points = room()[0].copy()
+    shapes = tandem.detect_planes(points, room()[1], maximum_distance=MAXIMUM_DISTANCE)
+    alive = weakref.ref(points)
+    del points
+    gc.collect()
+    assert alive() is not None
+    assert shapes.table()["points"].tolist() == shapes_of_room().table()["points"].tolist()
+    del shapes
+    gc.collect()
+    assert alive() is None
