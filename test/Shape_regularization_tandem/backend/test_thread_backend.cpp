@@ -9,14 +9,10 @@
 #include "testing/Thread_backend.h"
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/backend/concepts.h>
-
 BOOST_AUTO_TEST_SUITE(test_thread_backend)
 
 using CGAL::Tandem::Thread_tag;
 using CGAL::Tandem::internal::Thread_backend;
-
-static_assert(CGAL::Tandem::internal::Is_host_backend<Thread_backend>::value, "it is no model of the concept");
 
 BOOST_AUTO_TEST_CASE(bits)
 {
