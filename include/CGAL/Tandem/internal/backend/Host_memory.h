@@ -51,7 +51,7 @@ public:
   // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. Each piece is kept at its
   // beginning, then moved to its place.
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  auto compact(std::size_t n, F is_kept)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
@@ -65,7 +65,7 @@ public:
       place[first / grain + 1] = to - first;
     });
     std::partial_sum(place.begin(), place.end(), place.begin());
-    Buffer<std::uint32_t> result(place.back());
+    typename Backend::template Buffer<std::uint32_t> result(place.back());
     self().for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
       const std::size_t to = place[first / grain];
       std::copy_n(kept.begin() + first, place[first / grain + 1] - to, result.begin() + to);
@@ -76,10 +76,10 @@ public:
   // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what
   // has() reads.
   template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f)
+  auto collect(std::size_t n, F f)
   {
-    const Buffer<std::uint32_t> found = compact(n, [&](std::uint32_t i) { return f.has(i); });
-    Buffer<T> items(found.size());
+    const auto found = compact(n, [&](std::uint32_t i) { return f.has(i); });
+    typename Backend::template Buffer<T> items(found.size());
     self().for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
       for(std::size_t k = first; k < last; ++k)
         items[k] = f.take(found[k]);
