@@ -185,19 +185,6 @@ Points scanned_room(Random& random)
   return points;
 }
 
-// Bushes before the walls, which differ from their neighbors.
-Points overgrown_room(Random& random)
-{
-  Points points = room(30000, .002, random);
-  for(int bush = 0; bush < 60; ++bush) {
-    const Point center(random.uniform(0, 4), random.uniform(0, 3), random.uniform(0, 2));
-    const double radius = random.uniform(.1, .4);
-    for(int i = 0; i < 300; ++i)
-      points.push_back(center + radius * Vector(random.normal(), random.normal(), .3 * random.normal()));
-  }
-  return points;
-}
-
 // The distance, in the unit of the points, and what its note mentions: null where there is none. Of steps it covers most
 // of one, and not two. Noise that grows with the range varies for certain.
 BOOST_AUTO_TEST_CASE(test_scenes)
@@ -225,8 +212,7 @@ BOOST_AUTO_TEST_CASE(test_scenes)
                                   {"copies", copies_of(15, 1e-5), .008, .03, ""},
                                   {"rough copies", copies_of(15, 1e-3), .008, .03, ""},
                                   {"corridor", corridor, .03, .16, "varies"},
-                                  {"scanned room", scanned_room, 0, 1, ""},
-                                  {"overgrown room", overgrown_room, 0, 1, ""}};
+                                  {"scanned room", scanned_room, 0, 1, ""}};
   for(const Scene& scene : all)
     for(unsigned seed = 1; seed <= 2; ++seed) {
       Random random(seed);

@@ -66,6 +66,13 @@ Shape rectangle(const Vec& n, const Vec& center = {3, -2, 5}, double step = .1, 
   return shape;
 }
 
+void check_slope(const Shape_facts& f, double tilt, double dip, double azimuth)
+{
+  check_close(f.tilt_deg, tilt, 1e-9, "tilt");
+  check_close(f.dip_deg, dip, 1e-9, "dip");
+  check_close(f.azimuth_deg, azimuth, 1e-9, "azimuth");
+}
+
 // `tolerance` is relative to `size`, the unit of all lengths.
 void check_rectangle(const Shape_facts& f, const Vec& center, double size, double tolerance)
 {
@@ -79,9 +86,7 @@ void check_rectangle(const Shape_facts& f, const Vec& center, double size, doubl
   check_close(f.width / size, 2, tolerance, "width");
   check_close((f.highest - center.z) / size, half, tolerance, "highest");
   check_close((f.lowest - center.z) / size, -half, tolerance, "lowest");
-  check_close(f.tilt_deg, 30, 1e-9, "tilt");
-  check_close(f.dip_deg, 30, 1e-9, "dip");
-  check_close(f.azimuth_deg, 120, 1e-9, "azimuth");
+  check_slope(f, 30, 30, 120);
   CHECK(f.rms_distance <= tolerance * size && f.mean_distance <= f.rms_distance && f.shifted <= tolerance * size);
   check_close(f.turned_deg, 0, 60 * tolerance, "turned");
 }
@@ -100,13 +105,6 @@ BOOST_AUTO_TEST_CASE(test_known_rectangle)
     floats.emplace_back(float(p.x()), float(p.y()), float(p.z()));
   const CGAL::Tandem::Planar_shapes_3<Float> of_floats(shape.data);
   check_rectangle(CGAL::Tandem::shape_facts(of_floats, floats).at(0), center, 1, 1e-5);
-}
-
-void check_slope(const Shape_facts& f, double tilt, double dip, double azimuth)
-{
-  check_close(f.tilt_deg, tilt, 1e-9, "tilt");
-  check_close(f.dip_deg, dip, 1e-9, "dip");
-  check_close(f.azimuth_deg, azimuth, 1e-9, "azimuth");
 }
 
 BOOST_AUTO_TEST_CASE(test_slopes)
