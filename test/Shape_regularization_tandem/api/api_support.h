@@ -22,6 +22,9 @@ using CGAL::Tandem::to_text;
 
 inline Cloud make_box(int points_a_face = 1500) { return make_pairs<Kernel>(make_box_cloud(points_a_face)); }
 
+// The exception has all of the words.
+#define CHECK_REFUSED(expression, ...) check_throws<std::invalid_argument>([&] { expression; }, {__VA_ARGS__}, __LINE__)
+
 // In another kernel than that of the other tests.
 template <class Other>
 auto detect_in(const Pairs<Other>& cloud, const Parameters& parameters)

@@ -145,8 +145,7 @@ BOOST_AUTO_TEST_CASE(test_misuse_of_counts)
 {
   const auto refuse = [](std::array<int, 4> v, std::size_t wrong, const char* name, const char* range) {
     const auto list = positions.maximum_distance(v[0]).minimum_region_size(v[1]).k_neighbors(v[2]).cell_size(v[3]);
-    check_throws<std::invalid_argument>([&] { CGAL::Tandem::estimate_parameters(Cloud(), list); },
-                                        {name, to_text(v[wrong]).c_str(), range}, __LINE__);
+    CHECK_REFUSED(CGAL::Tandem::estimate_parameters(Cloud(), list), name, to_text(v[wrong]).c_str(), range);
   };
   refuse({0, 50, 12, 100}, 0, "maximum_distance", "(0, infinity)");
   for(const int wrong : {0, -5, 2})

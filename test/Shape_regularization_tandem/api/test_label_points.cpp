@@ -154,7 +154,7 @@ void check_bad_points(const Case& c)
 void check_refusals(const Case& c)
 {
   const auto refuse = [&](const auto& list, const char* name, const std::string& value) {
-    check_throws<std::invalid_argument>([&] { c.labels(list); }, {name, value.c_str()}, __LINE__);
+    CHECK_REFUSED(c.labels(list), name, value.c_str());
   };
   refuse(maps.maximum_distance(0.), "maximum_distance", "0");
   refuse(maps.maximum_angle(90), "maximum_angle", "90");
@@ -273,11 +273,7 @@ BOOST_AUTO_TEST_CASE(test_extreme_planes)
   const std::vector<Coefficients> wrong = {
     {0, 0, 0, 1}, {0, not_a_number, 1, 0}, {0, 0, infinity, 0}, {0, 0, 1, infinity}, {0, 0, 1e-310, 5}};
   for(const Coefficients& c : wrong)
-    check_throws<std::invalid_argument>(
-      [&] {
-        shapes_of({corner_plane, c}, corner, of_corner);
-      },
-      {"Plane 1", "not null"}, __LINE__);
+    CHECK_REFUSED(shapes_of({corner_plane, c}, corner, of_corner), "Plane 1", "not null");
 }
 
 // Without normals only distances count, and there are none to be asked for.
@@ -296,7 +292,7 @@ BOOST_AUTO_TEST_CASE(test_settings_of_planes)
   const std::string note = shapes_of(section, corner, p).statistics().angle_note;
   CHECK_AT(!note.empty() && note == CGAL::Tandem::angle_note(p), note);
   p.maximum_distance = -1;
-  check_throws<std::invalid_argument>([&] { shapes_of({}, corner, p); }, {"maximum_distance"}, __LINE__);
+  CHECK_REFUSED(shapes_of({}, corner, p), "maximum_distance");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

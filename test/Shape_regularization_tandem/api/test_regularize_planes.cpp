@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(test_bad_input)
   CHECK(regularized(no_points).parallel_group.size() == 11);
 
   const auto refuse = [&](const char* name, const Options& o, double distance = .1, double regularity = .1) {
-    check_throws<std::invalid_argument>([&] { regularized_within(s, distance, o, regularity); }, {name}, __LINE__);
+    CHECK_REFUSED(regularized_within(s, distance, o, regularity), name);
   };
   refuse("maximum_angle", {45, .05});
   refuse("maximum_angle", {-1, .05});

@@ -186,7 +186,7 @@ void check_wrong_criteria(const Case& c)
        Wrong{{up, up, 90, -1}, "minimum_area", "-1"}, Wrong{{up, up, 90, 0, not_a_number}, "minimum_extent", "nan"},
        Wrong{{null}, "near_direction", "not null"}, Wrong{{up, null}, "orthogonal_direction", "not null"},
        Wrong{{up, up, 91}, "near_angle", "91"}})
-    check_throws<std::invalid_argument>([&] { w.criteria.select(c.shapes, c.cloud); }, {w.name, w.value}, __LINE__);
+    CHECK_REFUSED(w.criteria.select(c.shapes, c.cloud), w.name, w.value);
 }
 
 // One shape for each plane. Where no shapes are coplanar, all that is measured again is as it was.
@@ -214,7 +214,7 @@ void check_joined(const Case& c)
   }
   const Shapes alone = select_shapes(c.shapes, c.shapes.distinct_planes());
   check_valid(c.cloud, join_coplanar_shapes(alone, c.cloud, positions), c.name + ": joined alone");
-  check_throws<std::invalid_argument>([&] { join_coplanar_shapes(alone, Cloud(), positions); }, {"0 points"}, __LINE__);
+  CHECK_REFUSED(join_coplanar_shapes(alone, Cloud(), positions), "0 points");
 }
 
 BOOST_AUTO_TEST_CASE(test_scenes)
