@@ -20,7 +20,7 @@ def errors_of(source, command):
     for text in subprocess.run(command + options, stderr=subprocess.PIPE, text=True).stderr.splitlines():
         if match := re.match(at + " *required from here", text):
             line = int(match[1])
-        elif "error: " in text:
+        elif ": error: " in text or "fatal error: " in text:
             match = re.match(at + "error: ", text)
             errors.append([int(match[1]) if match else line, text])
             line = None
