@@ -4,7 +4,7 @@
 // The choice between device and host, with a device of this test: its engine is used where it can be made; otherwise
 // the host has the values and gives the same result. What the callback throws is no failure of the device.
 
-#include "testing/test_support.h"
+#include "api_support.h"
 
 #include <functional>
 
@@ -66,18 +66,33 @@ private:
 BOOST_AUTO_TEST_SUITE(test_engine_choice)
 
 using namespace CGAL::Tandem::internal;
-using CGAL::Tandem::Test_device_tag;
 
 const Cloud cloud = to_cloud(scenes::make_scene("cube", scene_options(3000)));
 const Parameters parameters = make_parameters(.02, 40);
+int calls = 0; // of the callback; the first one comes before the engine
+
+std::unique_ptr<Detection_engine> make_device(Import& in, const Parameters& p, Progress& progress)
+{
+  return std::make_unique<Device_engine>(in, p, progress);
+}
+
+Shapes detect_with(const CGAL::Tandem::Callback& callback)
+{
+  calls = 0;
+  return CGAL::Tandem::detect_planes<CGAL::Tandem::Test_device_tag>(
+    cloud, maps.settings(parameters).callback([&](double share) { return ++calls == 1 || callback(share); }));
+}
+
+Shapes detect_calmly()
+{
+  return detect_with([](double) { return true; });
+}
 
 BOOST_AUTO_TEST_CASE(test_device_is_used)
 {
-  test_device = [](Import& in, const Parameters& p, Progress& progress) {
-    return std::make_unique<Device_engine>(in, p, progress);
-  };
-  const Shapes shapes = detect<Test_device_tag>(cloud, parameters);
-  CHECK_AT(shapes.statistics().backend == std::string("device"), shapes.statistics().backend);
+  test_device = make_device;
+  const Shapes shapes = detect_calmly();
+  check_equal(shapes.statistics().backend, "device", "back end");
   check_same(shapes, detect(cloud, parameters), "device");
   CHECK(shapes.number_of_shapes() == 6);
 }
@@ -89,42 +104,33 @@ void check_failure(const std::string& name)
     in.uploaded = std::make_shared<Kept_coordinates>(in);
     throw Failure(name);
   };
-  const Shapes shapes = detect<Test_device_tag>(cloud, parameters);
-  CHECK_AT(shapes.statistics().backend == std::string(Sequential_backend::name()), name);
+  const Shapes shapes = detect_calmly();
+  check_equal(shapes.statistics().backend, Sequential_backend::name(), name);
   check_same(shapes, detect(cloud, parameters), name);
 }
 
-// Of the callback, of one of the types that mean a failure of the device elsewhere; or of none of these types.
+// Of the callback, of one of the types that mean a failure of the device elsewhere.
 template <class Exception>
-void check_passes(bool is_of_callback)
+void check_passes()
 {
-  test_device = [&](Import& in, const Parameters& p, Progress& progress) -> std::unique_ptr<Detection_engine> {
-    if(!is_of_callback)
-      throw Exception("passes");
-    return std::make_unique<Device_engine>(in, p, progress);
-  };
-  int calls = 0;
-  const auto callback = [&](double) {
-    if(++calls > 1 && is_of_callback) // the first call comes before the engine
-      throw Exception("passes");
-    return true;
-  };
-  check_throws<Exception>(
-    [&] {
-      CGAL::Tandem::detect_planes<Test_device_tag>(
-        cloud, CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).callback(callback));
-    },
-    {"passes"}, __LINE__);
-  CHECK_AT(calls == (is_of_callback ? 2 : 1), std::to_string(calls) + " calls");
+  test_device = make_device;
+  check_throws<Exception>([&] { detect_with([](double) -> bool { throw Exception("passes"); }); }, {"passes"},
+                          __LINE__);
+  check_equal(calls, 2, "calls");
 }
 
 BOOST_AUTO_TEST_CASE(test_failures)
 {
   check_failure<std::runtime_error>("no device");
   check_failure<std::length_error>("too little memory");
-  check_passes<std::runtime_error>(true);
-  check_passes<std::length_error>(true);
-  check_passes<std::logic_error>(false);
+  check_passes<std::runtime_error>();
+  check_passes<std::length_error>();
+  // Other types mean none.
+  test_device = [](Import&, const Parameters&, Progress&) -> std::unique_ptr<Detection_engine> {
+    throw std::logic_error("passes");
+  };
+  check_throws<std::logic_error>(detect_calmly, {"passes"}, __LINE__);
+  check_equal(calls, 1, "calls");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

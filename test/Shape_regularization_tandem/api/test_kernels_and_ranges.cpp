@@ -1,142 +1,145 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Four kernels, five kinds of range, both lists of named parameters, the class
-// and the function, all tags: the same cloud gives the same result, and the range is left alone. Progress rises from 0 to
-// 1; a cancelled detection leaves a valid result; what the callback throws ends it at once.
+// Kernels, ranges, both lists of named parameters, the class and the function: the same cloud gives the same result, and
+// the range is left alone. Progress rises from 0 to 1; a cancelled detection leaves a valid result; what the callback
+// throws ends it at once. And the result as the parts of CGAL take it.
 
-#include "testing/box_cloud.h"
-#include "testing/measured_violation.h"
+#include "api_support.h"
 
-#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/adapters.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
-BOOST_AUTO_TEST_SUITE(test_kernels_and_ranges)
+namespace kernels_and_ranges {
 
-namespace np = CGAL::Tandem::parameters;
+using Tag = CGAL::Sequential_tag;
 using CGAL::Tandem::detect_planes;
 
-// Of a range of indices into arrays, and how often each was read.
-template <class Value, std::array<float, 3> Box_point::*member>
-struct Counting_map {
-  using key_type = int;
-  using value_type = Value;
-  using reference = Value;
-  using category = boost::readable_property_map_tag;
-  const std::vector<Box_point>* cloud;
-  std::vector<int>* reads;
-
-  friend Value get(const Counting_map& map, int i)
-  {
-    ++(*map.reads)[std::size_t(i)];
-    const auto& v = (*map.cloud)[std::size_t(i)].*member;
-    return Value(v[0], v[1], v[2]);
-  }
+struct Box {
+  Cloud cloud = make_box();
+  Parameters parameters = make_parameters(.006, 50);
+  Shapes shapes = detect(cloud, parameters);
 };
 
-template <class Shapes>
-void check_box(const Shapes& shapes, const std::string& name)
-{
-  CHECK_AT(shapes.number_of_shapes() == 6, name + ": " + std::to_string(shapes.number_of_shapes()));
-  CHECK_AT(shapes.number_of_parallel_groups() == 3, name);
-  CHECK_AT(shapes.number_of_coplanar_groups() == 6, name);
-  CHECK_AT(shapes.orthogonal_groups().size() == 3, name);
-  CHECK_AT(shapes.statistics().degrees_of_freedom == 9, name);
-  CHECK_AT(shapes.statistics().complexity == .5, name);
-  CHECK_AT(shapes.statistics().coverage > .9, name);
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    for(std::size_t i : shapes.points(s))
-      CHECK_AT(shapes.shape_index(i) == int(s), name);
-}
+constexpr double largest_squared_distance = .006 * .006 * 1.000001;
 
-// Returns the hash.
-template <class Kernel>
-std::uint64_t test_pairs(const std::vector<Box_point>& cloud, const std::string& name)
+} // namespace kernels_and_ranges
+
+BOOST_FIXTURE_TEST_SUITE(test_kernels_and_ranges, kernels_and_ranges::Box)
+
+using namespace kernels_and_ranges;
+
+BOOST_AUTO_TEST_CASE(test_box)
 {
-  const Pairs<Kernel> points = make_pairs<Kernel>(cloud);
-  const Pairs<Kernel> copy = points;
-  const auto list = np::point_map(First<Kernel>()).normal_map(Second<Kernel>()).maximum_distance(.006);
-  const auto shapes = detect_planes<CGAL::Sequential_tag>(points, list);
-  check_box(shapes, name);
-  CHECK_AT(points == copy, name);
-  check_equal(violation_of(points, shapes, list), "", name);
-  CHECK_AT(shapes.hash() == detect_planes<CGAL::Parallel_if_available_tag>(points, list).hash(), name);
-  CHECK_AT(shapes.hash() == detect_planes<CGAL::Tandem::Cuda_if_available_tag>(points, list).hash(), name);
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) { // the normals point out of the box
-    const auto n = shapes.oriented_plane(s).orthogonal_vector();
-    std::size_t agreeing = 0;
-    for(std::size_t i : shapes.points(s))
-      agreeing += CGAL::to_double(n * points[i].second) > 0;
-    CHECK_AT(2 * agreeing > shapes.points(s).size(), name);
+  CHECK(cloud == make_box());
+  check_valid(cloud, shapes, "box");
+  check_counts("box", shapes, 6, 3, 6);
+  CHECK(shapes.orthogonal_groups().size() == 3 && shapes.statistics().degrees_of_freedom == 9);
+  CHECK(shapes.statistics().complexity == .5 && shapes.statistics().coverage > .9);
+  for(std::size_t s = 0; s < 6; ++s) {
+    const Kernel::Vector_3 normal = shapes.oriented_plane(s).orthogonal_vector();
+    std::size_t agreeing = 0; // the normals point out of the box
+    for(std::size_t i : shapes.points(s)) {
+      CHECK(shapes.shape_index(i) == int(s));
+      agreeing += normal * cloud[i].second > 0;
+    }
+    CHECK_AT(2 * agreeing > shapes.size(s), std::to_string(s));
+    for(std::size_t t = 0; t < 6; ++t) {
+      const double cosine = normal * shapes.plane(t).orthogonal_vector();
+      CHECK(shapes.are_orthogonal(s, t) == (std::fabs(cosine) < .5));
+      CHECK(shapes.are_parallel(s, t) == (std::fabs(cosine) > .5));
+    }
   }
-  return shapes.hash();
+  CHECK(detect<CGAL::Parallel_if_available_tag>(cloud, parameters).hash() == shapes.hash());
 }
 
-template <class Kernel>
-std::uint64_t test_point_set(const std::vector<Box_point>& cloud, const std::string& name)
+BOOST_AUTO_TEST_CASE(test_exact_kernel)
 {
-  CGAL::Point_set_3<typename Kernel::Point_3> points;
-  points.add_normal_map();
-  for(const auto& p : make_pairs<Kernel>(cloud))
-    points.insert(p.first, p.second);
-  const auto shapes = detect_planes(points, np::maximum_distance(.006));
-  check_box(shapes, name);
-  check_equal(violation_of(points, shapes, CGAL::parameters::Default_named_parameters()), "", name);
-  CHECK_AT(!shapes.has_estimated_normals(), name);
-
-  // Without its normals, by request or because there are none.
-  const auto estimated = detect_planes(points, np::maximum_distance(.006).normal_map(CGAL::Default()));
-  check_box(estimated, name);
-  points.remove_normal_map();
-  const auto bare = detect_planes(points, np::maximum_distance(.006));
-  CHECK_AT(estimated.has_estimated_normals() && bare.has_estimated_normals(), name);
-  CHECK_AT(estimated.hash() == bare.hash(), name);
-  return shapes.hash();
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Pairs<Exact> points = make_pairs<Exact>(make_box_cloud());
+  const auto of_exact = detect_in<Exact>(points, parameters);
+  CHECK(of_exact.hash() == shapes.hash());
+  for(std::size_t s = 0; s < of_exact.number_of_shapes(); ++s) {
+    const auto distance = CGAL::squared_distance(points[of_exact.points(s)[0]].first, of_exact.plane(s));
+    CHECK(CGAL::to_double(distance) <= largest_squared_distance);
+  }
 }
 
-template <class Kernel>
-std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string& name)
+// Without maps, and without normals.
+BOOST_AUTO_TEST_CASE(test_points_of_floats)
 {
-  std::vector<typename Kernel::Point_3> points;
-  for(const auto& p : make_pairs<Kernel>(cloud))
+  using Float = CGAL::Simple_cartesian<float>;
+  std::vector<Float::Point_3> points;
+  for(const auto& p : make_pairs<Float>(make_box_cloud()))
     points.push_back(p.first);
-  const auto shapes = detect_planes(points, np::maximum_distance(.006));
-  check_box(shapes, name);
-  check_equal(violation_of(points, shapes, CGAL::parameters::Default_named_parameters()), "", name);
+  const auto of_floats = detect_planes<Tag>(points, np::settings(parameters));
+  CHECK(of_floats.hash() == detect(cloud, parameters, Given::nothing).hash());
+  std::string why;
+  CHECK_AT(CGAL::Tandem::is_valid_result(points, of_floats, CGAL::parameters::Default_named_parameters(), &why), why);
   for(std::size_t i = 0; i < points.size(); ++i)
-    if(shapes.shape_index(i) >= 0)
-      CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);
-  return shapes.hash();
+    if(of_floats.shape_index(i) >= 0)
+      CHECK(std::fabs(of_floats.estimated_normal(i).squared_length() - 1) < 1e-6);
 }
 
-std::uint64_t test_indices(const std::vector<Box_point>& cloud)
+BOOST_AUTO_TEST_CASE(test_point_set)
+{
+  CGAL::Point_set_3<Kernel::Point_3> set;
+  set.add_normal_map();
+  for(const auto& p : cloud)
+    set.insert(p.first, p.second);
+  const auto list = np::settings(parameters);
+  CHECK(detect_planes<Tag>(set, list).hash() == shapes.hash());
+  // With a hole in the indices: an item is not its position.
+  set.remove(set.begin());
+  const Shapes of_set = detect_planes<Tag>(set, list);
+  CHECK(!of_set.has_estimated_normals() && of_set.number_of_shapes() == 6);
+  const auto map = CGAL::Tandem::add_shape_property(set, of_set);
+  CHECK(set.has_property_map<int>("shape"));
+  for(std::size_t s = 0; s < of_set.number_of_shapes(); ++s)
+    for(std::size_t i : of_set.points(s)) {
+      const auto item = *(set.begin() + std::ptrdiff_t(i));
+      CHECK_AT(map[item] == int(s), std::to_string(s));
+      CHECK(CGAL::squared_distance(set.point(item), of_set.plane(s)) <= largest_squared_distance);
+    }
+  // Without its normals, by request or because there are none.
+  const Shapes estimated = detect_planes<Tag>(set, list.normal_map(CGAL::Default()));
+  set.remove_normal_map();
+  const Shapes bare = detect_planes<Tag>(set, list);
+  CHECK(estimated.has_estimated_normals() && bare.has_estimated_normals() && estimated.hash() == bare.hash());
+}
+
+// Each item is read once, and its normal where it is asked for.
+BOOST_AUTO_TEST_CASE(test_indices)
 {
   using Index = boost::counting_iterator<int>; // holds its item itself
   const CGAL::Iterator_range<Index> indices(Index(0), Index(int(cloud.size())));
   std::vector<int> points(cloud.size(), 0), normals = points;
-  const Counting_map<Epick::Point_3, &Box_point::position> point_map = {&cloud, &points};
-  const Counting_map<Epick::Vector_3, &Box_point::normal> normal_map = {&cloud, &normals};
-  const auto shapes = detect_planes(
-    indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(normal_map), np::maximum_distance(.006)));
-  check_box(shapes, "indices");
-  detect_planes(indices, np::point_map(point_map).maximum_distance(.006));
+  const auto point_map = boost::make_function_property_map<int>([&](int i) {
+    ++points[std::size_t(i)];
+    return cloud[std::size_t(i)].first;
+  });
+  const auto normal_map = boost::make_function_property_map<int>([&](int i) {
+    ++normals[std::size_t(i)];
+    return cloud[std::size_t(i)].second;
+  });
+  const auto of_indices = detect_planes<Tag>(
+    indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(normal_map), np::settings(parameters)));
+  CHECK(of_indices.hash() == shapes.hash());
+  detect_planes<Tag>(indices, np::point_map(point_map).settings(parameters));
   CHECK(points == std::vector<int>(cloud.size(), 2) && normals == std::vector<int>(cloud.size(), 1));
-  return shapes.hash();
 }
 
-std::uint64_t test_class(const std::vector<Box_point>& cloud)
+BOOST_AUTO_TEST_CASE(test_class)
 {
-  using Traits = CGAL::Tandem::Tandem_traits_3<Epick, Pairs<Epick>, First<Epick>, Second<Epick>, CGAL::Sequential_tag>;
-  CGAL::Tandem::Parameters settings;
-  settings.maximum_distance = .006;
-  const Pairs<Epick> points = make_pairs<Epick>(cloud);
-  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(points, np::settings(settings), Traits());
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Tag>;
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, np::maximum_distance(.006).minimum_region_size(50),
+                                                           Traits());
   std::size_t rounds = 1, assigned = 0;
   for(; detection.iterate(); ++rounds)
     assigned = (std::max)(assigned, detection.shapes().statistics().number_of_assigned_points);
@@ -144,81 +147,67 @@ std::uint64_t test_class(const std::vector<Box_point>& cloud)
   detection.finish();
   CHECK(detection.parameters().maximum_offset == .006);
   CHECK(detection.shapes().statistics().number_of_rounds == rounds);
-  CHECK(!detection.iterate());
-  check_box(detection.shapes(), "class");
-  return detection.shapes().hash();
-}
-
-BOOST_AUTO_TEST_CASE(test_all_agree)
-{
-  const std::vector<Box_point> cloud = make_box_cloud();
-  const std::uint64_t hash = test_pairs<Epick>(cloud, "epick");
-  CHECK((test_pairs<CGAL::Simple_cartesian<double>>(cloud, "double") == hash));
-  CHECK((test_pairs<CGAL::Simple_cartesian<float>>(cloud, "float") == hash));
-  CHECK((test_pairs<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "epeck") == hash));
-  CHECK((test_point_set<Epick>(cloud, "point set of epick") == hash));
-  CHECK((test_point_set<CGAL::Simple_cartesian<float>>(cloud, "point set of float") == hash));
-  CHECK((test_point_set<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "point set of epeck") == hash));
-  CHECK(test_indices(cloud) == hash);
-  CHECK(test_class(cloud) == hash);
-  const std::uint64_t estimated = test_points<Epick>(cloud, "points of epick");
-  CHECK((test_points<CGAL::Simple_cartesian<float>>(cloud, "points of float") == estimated));
-  CHECK((test_points<CGAL::Simple_cartesian<double>>(cloud, "points of double") == estimated));
-  CHECK((test_points<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "points of epeck") == estimated));
-}
-
-// Whether what the callback throws in its n-th call reaches the caller, without another call.
-template <class Range, class List>
-bool throws_at(std::size_t n, const Range& points, const List& list)
-{
-  struct Stop {};
-  std::size_t count = 0;
-  const CGAL::Tandem::Callback stop = [&](double) -> bool {
-    if(++count == n)
-      throw Stop();
-    return true;
-  };
-  try {
-    detect_planes(points, list.callback(stop));
-  } catch(const Stop&) {
-    return count == n;
-  }
-  return false;
+  CHECK(!detection.iterate() && detection.shapes().hash() == shapes.hash());
 }
 
 BOOST_AUTO_TEST_CASE(test_callback)
 {
-  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
-  const auto list = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
-  const auto silent = detect_planes(points, list);
-  CHECK(!silent.is_cancelled());
-
+  const auto detect_with = [&](CGAL::Tandem::Callback callback) {
+    return detect_planes<Tag>(cloud, maps.settings(parameters).callback(callback));
+  };
   std::vector<double> progress;
-  const CGAL::Tandem::Callback record = [&](double p) {
+  const Shapes complete = detect_with([&](double p) {
     progress.push_back(p);
     return true;
-  };
-  CHECK(detect_planes(points, list.callback(record)).hash() == silent.hash());
+  });
+  CHECK(complete.hash() == shapes.hash() && !complete.is_cancelled());
   CHECK(progress.size() >= 3 && progress.front() == 0 && progress.back() == 1);
-  for(std::size_t i = 1; i < progress.size(); ++i)
-    CHECK_AT(progress[i - 1] <= progress[i] && progress[i] <= 1, std::to_string(i));
-
+  CHECK(std::is_sorted(progress.begin(), progress.end()));
   using Stage = CGAL::Tandem::Detection_stage;
   for(Stage stage : {Stage::sort, Stage::neighbors, Stage::seeds, Stage::rounds, Stage::end_game, Stage::done})
     CHECK_AT(
       std::any_of(progress.begin(), progress.end(), [&](double p) { return CGAL::Tandem::stage_at(p) == stage; }),
       "stage " + std::to_string(int(stage)));
-
+  struct Stop {};
   for(std::size_t calls = 1; calls < progress.size(); ++calls) {
+    const std::string name = std::to_string(calls) + " calls";
     std::size_t count = 0;
-    const CGAL::Tandem::Callback cancel = [&](double) { return ++count < calls; };
-    const auto shapes = detect_planes(points, list.callback(cancel));
-    CHECK_AT(shapes.is_cancelled() && count == calls, std::to_string(calls));
-    CHECK_AT(calls > 1 || shapes.number_of_shapes() == 0, std::to_string(calls));
-    CHECK_AT(shapes.number_of_points() == points.size(), std::to_string(calls));
-    check_equal(violation_of(points, shapes, list), "", std::to_string(calls));
-    CHECK_AT(throws_at(calls, points, list), std::to_string(calls));
+    const Shapes cancelled = detect_with([&](double) { return ++count < calls; });
+    CHECK_AT(cancelled.is_cancelled() && count == calls, name);
+    CHECK_AT(calls > 1 || cancelled.number_of_shapes() == 0, name);
+    check_valid(cloud, cancelled, name);
+    count = 0;
+    const auto stop = [&](double) -> bool {
+      if(++count == calls)
+        throw Stop();
+      return true;
+    };
+    CHECK_AT(throws<Stop>([&] { detect_with(stop); }) && count == calls, name);
   }
+}
+
+// What the parts of CGAL take. A fit to projected points is the plane again, with normals on the side of the points.
+BOOST_AUTO_TEST_CASE(test_adapters)
+{
+  const auto shape_map = CGAL::Tandem::shape_index_map(shapes);
+  const auto plane_map = CGAL::Tandem::plane_index_map(shapes);
+  const std::vector<Kernel::Plane_3> planes = CGAL::Tandem::distinct_planes(shapes);
+  CHECK(planes.size() == shapes.number_of_coplanar_groups());
+  for(std::size_t i = 0; i < shapes.number_of_points(); ++i) {
+    const int s = shapes.shape_index(i), plane = get(plane_map, i);
+    CHECK(get(shape_map, i) == s && (plane < 0) == (s < 0));
+    CHECK(s < 0 || planes[std::size_t(plane)] == shapes.plane(std::size_t(s)));
+  }
+  const auto items = CGAL::Tandem::projected_points(cloud, shapes, maps);
+  CHECK(items.size() == shapes.statistics().number_of_assigned_points);
+  auto item = items.begin();
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    for(std::size_t i : shapes.points(s)) {
+      const auto& [point, normal, plane] = *item++;
+      CHECK(CGAL::squared_distance(point, planes[std::size_t(plane)]) < 1e-28);
+      CHECK(CGAL::squared_distance(point, cloud[i].first) <= largest_squared_distance);
+      CHECK(normal == shapes.oriented_plane(s).orthogonal_vector());
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

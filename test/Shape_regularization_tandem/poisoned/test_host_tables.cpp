@@ -9,48 +9,41 @@
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <numeric>
 #include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_host_tables)
 
-using CGAL::Tandem::Shared_table;
 using namespace CGAL::Tandem::internal;
+
+// The pages of the buffer, which it leaves to others.
+template <class T>
+const void* leave(Host_buffer<T>& buffer)
+{
+  const void* const pages = buffer.data();
+  buffer.keep_pages();
+  buffer.release();
+  return pages;
+}
 
 // Pages come back for a buffer of about the same size, once, and not for others.
 BOOST_AUTO_TEST_CASE(test_kept_pages)
 {
-  Host_buffer<double> buffer(1000);
-  const void* const memory = buffer.data();
-  buffer.keep_pages();
-  buffer.release();
-  CHECK(Host_buffer<double>(10).data() != memory);
-  CHECK(Host_buffer<float>(1900).data() == memory);
-  CHECK(Kept_pages::kept_bytes() == 0);
-  Host_buffer<double> smaller(1000), larger(1100);
-  const void* const pages[2] = {smaller.data(), larger.data()};
-  smaller.keep_pages();
-  larger.keep_pages();
-  smaller.release();
-  larger.release();
+  Host_buffer<double> buffer(1000), smaller(1000), larger(1100), rare(50000);
+  const void* pages = leave(buffer);
+  CHECK(Host_buffer<double>(10).data() != pages);
+  CHECK(Host_buffer<float>(1900).data() == pages && Kept_pages::kept_bytes() == 0);
+  pages = leave(smaller);
+  const void* const larger_pages = leave(larger);
   smaller.reset(1000); // leaves the larger pages to those who need them
   larger.reset(1100);
-  CHECK(smaller.data() == pages[0] && larger.data() == pages[1]);
-  Host_buffer<double> rare(50000);
-  const void* const rare_pages = rare.data();
-  rare.keep_pages();
-  rare.release();
+  CHECK(smaller.data() == pages && larger.data() == larger_pages);
+  pages = leave(rare);
   for(int i = 0; i < 20; ++i) { // what comes and goes leaves the others alone
     buffer.reset(1000);
-    buffer.keep_pages();
-    buffer.release();
+    leave(buffer);
   }
-  CHECK(Host_buffer<double>(45000).data() == rare_pages);
-  for(std::size_t i = 0; i < 20; ++i) {
-    buffer.reset(1000 + 1000 * i);
-    buffer.keep_pages();
-  }
-  buffer.release();
+  CHECK(Host_buffer<double>(45000).data() == pages);
   Kept_pages::release();
   CHECK(Kept_pages::kept_bytes() == 0);
 }
@@ -60,41 +53,40 @@ BOOST_AUTO_TEST_CASE(test_kept_pages)
 BOOST_AUTO_TEST_CASE(test_detection)
 {
   constexpr std::size_t mebibyte = std::size_t(1) << 20;
+  const auto is_kept = [](std::size_t mebibytes) { return Kept_pages::kept_bytes() == mebibytes * mebibyte; };
   Host_buffer<char> longer(8 * mebibyte);
   {
     const Kept_pages::Detection first;
     Host_buffer<char> buffer(16 * mebibyte);
     const void* const memory = buffer.data();
     buffer.reset(15 * mebibyte);
-    CHECK(buffer.data() == memory && Kept_pages::kept_bytes() == 0);
+    CHECK(buffer.data() == memory && is_kept(0));
     buffer.release();
-    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    CHECK(is_kept(16));
     Host_buffer<char>(mebibyte).release();
-    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    CHECK(is_kept(16));
     {
       const Kept_pages::Detection second;
       const Host_buffer<char> other(8 * mebibyte); // no block has this size
-      CHECK(Kept_pages::kept_bytes() == 0);
+      CHECK(is_kept(0));
     }
-    CHECK(Kept_pages::kept_bytes() == 8 * mebibyte);
+    CHECK(is_kept(8));
     longer.release();
-    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    CHECK(is_kept(16));
     longer.reset(8 * mebibyte);
   }
-  CHECK(Kept_pages::kept_bytes() == 0);
+  CHECK(is_kept(0));
   longer.release();
-  CHECK(Kept_pages::kept_bytes() == 0);
+  CHECK(is_kept(0));
 }
 
 // Copies share the items.
 BOOST_AUTO_TEST_CASE(test_shared_table)
 {
-  const Shared_table<int> none;
-  CHECK(none.empty() && none.size() == 0 && none.begin() == none.end());
+  CHECK(CGAL::Tandem::Shared_table<int>().empty());
   Host_buffer<int> buffer(3);
-  for(int i = 0; i < 3; ++i)
-    buffer[std::size_t(i)] = i;
-  const Shared_table<int> table(std::move(buffer)), copy = table;
+  std::iota(buffer.begin(), buffer.end(), 0);
+  const CGAL::Tandem::Shared_table<int> table(std::move(buffer)), copy = table;
   CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
 }
 
@@ -106,10 +98,8 @@ BOOST_AUTO_TEST_CASE(test_poison)
   };
   Host_buffer<unsigned char> buffer(5000);
   CHECK(is_filled(buffer));
-  const void* const memory = buffer.data();
   std::fill(buffer.begin(), buffer.end(), 7);
-  buffer.keep_pages();
-  buffer.release();
+  const void* const memory = leave(buffer);
   buffer.reset(5000);
   CHECK(buffer.data() == memory && is_filled(buffer));
   buffer.reset(100000);

@@ -3,7 +3,7 @@
 //
 // A shuffled back end that works as late as it may, as a device does: loops of functors run when the host waits for
 // what they write, and memory is released in the order of the loops. Only data() leads to the items of a buffer. So host
-// code that does not wait, or reads a buffer itself, finds garbage.
+// code that does not wait, or reads a buffer itself, finds garbage. Or it works at once, to be compared with.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H
@@ -80,6 +80,8 @@ struct Late_sort_table : Late_buffer<Host_sort_table::Entry> {
   View view() const { return {const_cast<Host_sort_table::Entry*>(data())}; }
 };
 
+enum class Work { late, at_once };
+
 // Loops on the host see what has run by then. Loops over pieces wait, since host stages read tables in them.
 class Late_backend : public Shuffled_backend {
 public:
@@ -87,7 +89,7 @@ public:
   using Buffer = Late_buffer<T>;
   using Sort_table = Late_sort_table;
 
-  explicit Late_backend(std::uint64_t seed = 1) : Shuffled_backend(seed) {}
+  explicit Late_backend(std::uint64_t seed = 1, Work work = Work::late) : Shuffled_backend(seed), work_(work) {}
   Late_backend(const Late_backend&) = delete;
   Late_backend& operator=(const Late_backend&) = delete;
   ~Late_backend() { wait(); }
@@ -115,7 +117,7 @@ public:
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
   {
-    Late_work::list.push_back([=] { Shuffled_backend::for_each(n, f); });
+    add([=] { Shuffled_backend::for_each(n, f); });
   }
 
   template <class F>
@@ -127,7 +129,7 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    Late_work::list.push_back([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
+    add([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
   }
 
   void sort(Sort_table& table, int = 63)
@@ -135,7 +137,7 @@ public:
     using Entry = Host_sort_table::Entry;
     Entry* const first = table.view().entry;
     Entry* const last = first + table.size();
-    Late_work::list.push_back([first, last] {
+    add([first, last] {
       std::reverse(first, last);
       std::sort(first, last, [](const Entry& a, const Entry& b) { return a.key < b.key; });
     });
@@ -143,14 +145,25 @@ public:
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t n, std::size_t largest)
   {
-    Late_work::list.push_back([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
+    add([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
   }
 
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    Late_work::list.push_back([=] { Shuffled_backend::run_rounds(maximum_rounds, items, rounds); });
+    add([=] { Shuffled_backend::run_rounds(maximum_rounds, items, rounds); });
   }
+
+private:
+  void add(std::function<void()> work)
+  {
+    if(work_ == Work::late)
+      Late_work::list.push_back(std::move(work));
+    else
+      work();
+  }
+
+  Work work_;
 };
 
 // The stages that need memory of the host.
