@@ -11,7 +11,11 @@
 #include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/result/extract_shapes.h>
 
+#include <atomic>
+#include <chrono>
+#include <functional>
 #include <numeric>
+#include <thread>
 
 BOOST_AUTO_TEST_SUITE(test_backends)
 
@@ -67,19 +71,61 @@ BOOST_AUTO_TEST_CASE(atomics)
   });
 }
 
-// Whichever thread comes unites one set with the next smaller item, which becomes its root: they race for the same one.
-BOOST_AUTO_TEST_CASE(unions)
+// Threads add until they have met so often, each between two additions of another one.
+template <class Backend>
+void check_meetings()
 {
-  on_host_backends([](auto backend, const std::string& name) {
-    constexpr std::uint32_t n = 300000; // long enough for threads to meet
-    Indices parent(n + 1);
-    std::iota(parent.begin(), parent.end(), 0u);
-    const Union_find<Shared_parents<decltype(backend)>> sets = {{parent.data()}};
-    std::uint32_t left = n;
-    backend.for_each(n, [&](std::size_t) { sets.unite(decltype(backend)::atomic_add(left, ~0u) - 1, n); });
-    for(std::uint32_t i = 0; i <= n; ++i)
-      CHECK_AT(sets.root(i) == 0, name + ": root of " + std::to_string(i));
-  });
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::seconds(5);
+  std::uint32_t sum = 0;
+  std::atomic<int> meetings{0};
+  Indices added(3, 0);
+  std::vector<std::thread> threads;
+  for(std::uint32_t& own : added)
+    threads.emplace_back([&] {
+      for(std::uint32_t expected = 0; meetings < 200 && (own % 1024 > 0 || Clock::now() < end); ++own) {
+        const std::uint32_t before = Backend::atomic_add(sum, 1u);
+        meetings += own > 0 && before != expected;
+        expected = before + 1;
+      }
+    });
+  for(std::thread& t : threads)
+    t.join();
+  check_equal(sum, std::accumulate(added.begin(), added.end(), 0u), Backend::name() + std::string(": additions"));
+}
+
+BOOST_AUTO_TEST_CASE(meetings)
+{
+  check_meetings<Thread_backend>();
+#ifdef CGAL_LINKED_WITH_TBB
+  check_meetings<Tbb_backend>();
+#endif
+}
+
+// Another thread comes between, once: it joins the root that is about to be joined.
+struct Raced_backend : Sequential_backend {
+  inline static std::function<void()> other_thread;
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    if(const auto other = std::exchange(other_thread, nullptr))
+      other();
+    return Sequential_backend::atomic_exchange_if(target, expected, value);
+  }
+};
+
+BOOST_AUTO_TEST_CASE(races_of_unions)
+{
+  Indices order = {0, 1, 2};
+  do {
+    Indices parent = {0, 1, 2};
+    const Union_find<Shared_parents<Raced_backend>> sets = {{parent.data()}};
+    Raced_backend::other_thread = [&] { sets.unite((std::max)(order[0], order[1]), order[2]); };
+    sets.unite(order[0], order[1]);
+    for(const std::uint32_t i : order)
+      CHECK_AT(sets.root(i) == 0, "root of " + std::to_string(i));
+  } while(std::next_permutation(order.begin(), order.end()));
 }
 
 // Sums up to each item, by distances that double in each round: a step needs all of the one before.

@@ -23,8 +23,8 @@
 
 #include <cmath>
 #include <csignal>
-#include <functional>
 #include <set>
+#include <typeinfo>
 
 #include <malloc.h>
 
@@ -79,24 +79,6 @@ auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
   return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(
     part, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks));
 }
-
-// On one rank it fails at one of the points.
-struct Failing_map {
-  using key_type = Cloud::value_type;
-  using value_type = Kernel::Point_3;
-  using reference = const value_type&;
-  using category = boost::readable_property_map_tag;
-
-  friend reference get(const Failing_map& map, const key_type& item)
-  {
-    if(&item == map.failing)
-      map.fail();
-    return item.first;
-  }
-
-  const key_type* failing;
-  std::function<void()> fail;
-};
 
 template <class F>
 std::string failure_with_callback(const Ranks& ranks, int calling, F callback)

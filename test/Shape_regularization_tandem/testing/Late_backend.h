@@ -148,6 +148,18 @@ public:
     add([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
   }
 
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    return Shuffled_backend::compact(n, is_kept);
+  }
+
+  template <class T, class F>
+  Buffer<T> collect(std::size_t n, F f)
+  {
+    return Shuffled_backend::collect<T>(n, f);
+  }
+
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {

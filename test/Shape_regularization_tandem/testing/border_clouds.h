@@ -8,6 +8,7 @@
 
 #include "test_support.h"
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -98,5 +99,23 @@ inline std::vector<std::pair<std::string, Cloud>> border_clouds(std::size_t rank
           {"nothing but bad points", spoiled(cube, cube.size())},
           {"fewer than a shape needs", make_cloud("cube", 20)}};
 }
+
+// Fails at one of the points, if it is not null.
+struct Failing_map {
+  using key_type = Cloud::value_type;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  friend reference get(const Failing_map& map, const key_type& item)
+  {
+    if(&item == map.failing)
+      map.fail();
+    return item.first;
+  }
+
+  const key_type* failing;
+  std::function<void()> fail;
+};
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BORDER_CLOUDS_H

@@ -164,7 +164,8 @@ private:
       const Real excess = dot(normal_of(s), normal_of(s)) - 1;
       expect(excess < Real(2e-15) && -excess < Real(2e-15), "exact relations: no unit normal has shape", s);
       const auto& c = shapes_.coefficients(s);
-      expect(shapes_.plane(s) == Kernel::Plane_3(c[0], c[1], c[2], c[3]),
+      const auto& plane_3 = shapes_.plane(s);
+      expect(plane_3.a() == c[0] && plane_3.b() == c[1] && plane_3.c() == c[2] && plane_3.d() == c[3],
              "exact relations: another plane in the kernel has shape", s);
       const std::size_t r = direction.emplace(shapes_.parallel_group(s), s).first->second;
       const std::size_t p = plane.emplace(shapes_.coplanar_group(s), s).first->second;

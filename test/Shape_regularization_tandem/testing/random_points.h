@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_POINTS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_POINTS_H
 
-#include "scenes.h"
+#include "scenes/scenes.h"
 
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SUPPORT_H
 
 #include "box_cloud.h"
-#include "scenes.h"
+#include "scenes/scenes.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 

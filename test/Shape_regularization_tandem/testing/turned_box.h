@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 
-#include "scenes.h"
+#include "scenes/scenes.h"
 
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 #include <CGAL/Tandem/internal/base/types.h>

@@ -1,9 +1,0 @@
-// Copyright (c) 2026 The Tandem authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TESTING_SCENES_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TESTING_SCENES_H
-
-#include "scenes/scenes.h"
-
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TESTING_SCENES_H
