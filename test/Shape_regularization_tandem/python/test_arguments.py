@@ -36,12 +36,9 @@ def test_other_layouts_and_types_have_the_same_result():
 def test_a_result_has_no_array_of_the_caller():
     points, normals = (array.copy() for array in room())
     for kind in (np.asarray, memoryview, np.ma.array, np.asfortranarray):
-        given = kind(normals)
-        shapes = tandem.detect_planes(points, given, maximum_distance=MAXIMUM_DISTANCE)
-        before = normals.copy()
+        shapes = tandem.detect_planes(points, kind(normals), maximum_distance=MAXIMUM_DISTANCE)
         normals[:] = points[:] = 0
-        assert np.array_equal(shapes.normals, before)
-        assert not np.shares_memory(shapes.normals, normals)
+        assert np.array_equal(shapes.normals, room()[1]) and not np.shares_memory(shapes.normals, normals)
         points[:], normals[:] = room()
         assert tandem.find_violation(points, shapes) is None
     assert normals.flags.writeable
@@ -155,15 +152,6 @@ def test_each_switch_is_used():
         assert {other: parameters[other] for other in SWITCHES} == given
 
 
-def test_estimates_are_those_of_a_detection():
-    points = room()[0]
-    shapes = tandem.detect_planes(points)
-    estimate = tandem.estimate_parameters(points)
-    assert estimate.maximum_distance == shapes.maximum_distance
-    assert estimate.maximum_offset == shapes.parameters["maximum_offset"]
-    assert estimate.minimum_region_size == shapes.minimum_region_size
-
-
 def test_too_large_an_extent():
     with pytest.raises(ValueError, match="extent"):
         tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
@@ -204,30 +192,10 @@ def test_one_that_is_not_positive_is_counted():
 
 
 def test_the_number_is_the_upper_bound():
-    points, normals = room()
-    wide = np.full(len(points), 10.0)
-    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE, maximum_distance_map=wide)
+    wide = np.full(len(room()[0]), 10.0)
+    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, maximum_distance_map=wide)
     assert shapes.maximum_distance == MAXIMUM_DISTANCE
     assert shapes.labels.tolist() == shapes_of_room().labels.tolist()
-
-
-def test_a_note_on_the_estimate():
-    random = np.random.default_rng(3)
-    points = random.random((20000, 3)) * 2
-    points[:, 2] = np.round(0.12 * points[:, 0] / 0.04) * 0.04
-    assert re.search(".* coordinates are in steps.*[.]$", tandem.detect_planes(points).statistics["estimate_note"])
-    assert tandem.detect_planes(points, maximum_distance=0.1).statistics["estimate_note"] == ""
-
-
-def test_local_distances():
-    points = room()[0].copy()
-    points[5] = np.nan
-    distances = tandem.estimate_local_distances(points)
-    assert (distances.shape, distances.dtype) == ((len(points),), np.float64)
-    assert (np.delete(distances, 5) > 0).all()
-    shapes = tandem.detect_planes(points, maximum_distance_map=distances)
-    assert tandem.find_violation(points, shapes) is None
-    assert shapes.statistics["number_of_ignored_coordinates"] == 1
 
 
 # --- Points at 0 0 0
@@ -249,10 +217,22 @@ def test_zeros_are_left_out():
     assert others.statistics["number_of_ignored_zeros"] == 0
 
 
-def test_estimates_of_the_others():
+def test_estimates():
+    """Those of a detection, with a note if there is reason; points at 0 0 0 do not count if they are ignored."""
     points = room()[0] + 1
-    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points, [[0.0] * 3] * 700])
-    assert tandem.estimate_parameters(with_zeros, ignore_zeros=True) == tandem.estimate_parameters(points)
+    shapes, estimate = tandem.detect_planes(points), tandem.estimate_parameters(points)
+    assert estimate.maximum_distance == shapes.maximum_distance
+    assert estimate.maximum_offset == shapes.parameters["maximum_offset"]
+    assert estimate.minimum_region_size == shapes.minimum_region_size
+    steps = np.random.default_rng(3).random((20000, 3)) * 2
+    steps[:, 2] = np.round(0.12 * steps[:, 0] / 0.04) * 0.04
+    assert re.search(".* coordinates are in steps.*[.]$", tandem.detect_planes(steps).statistics["estimate_note"])
+    assert tandem.detect_planes(steps, maximum_distance=0.1).statistics["estimate_note"] == ""
+    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points, [[0.0] * 3] * 700, [[np.nan] * 3]])
+    assert tandem.estimate_parameters(with_zeros, ignore_zeros=True) == estimate
     distances = tandem.estimate_local_distances(with_zeros, ignore_zeros=True)
-    assert distances[3:-700].tobytes() == tandem.estimate_local_distances(points).tobytes()
-    assert np.isnan(np.concatenate([distances[:3], distances[-700:]])).all()
+    assert (distances.shape, distances.dtype) == ((len(with_zeros),), np.float64)
+    assert distances[3:-701].tobytes() == tandem.estimate_local_distances(points).tobytes()
+    assert np.isnan(np.concatenate([distances[:3], distances[-701:]])).all()
+    local = tandem.detect_planes(points, maximum_distance_map=distances[3:-701])
+    assert tandem.find_violation(points, local) is None
