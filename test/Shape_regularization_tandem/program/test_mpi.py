@@ -8,8 +8,8 @@ import re
 import shutil
 
 import pytest
+from clouds import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 from support import CLOUD, CUBE, HELP, NOTHING, PROGRAM, WARNS, pcd, ply, properties, table, words_of
-from tiles import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 
 MPIEXEC = os.environ.get("TANDEM_MPIEXEC")
 pytestmark = [pytest.mark.mpi,

@@ -62,6 +62,7 @@ test_wrong_files = refused_files([
       for name, count, pattern in (("huge.ply", b"\100\0\0\100", "row 1 of 'vertex' has 1073741888 items"),
                                    ("below.ply", b"\377" * 4, "row 1 of 'vertex' has 4294967295 items"),
                                    ("short.ply", b"\0\0", "is truncated"))),
+    ("cut.ply", binary_ply(ONE_FLOAT, POINT[:9]), "is truncated"),
     # More in the file than announced
     ("row.ply", ply(VERTICES, CUBE), "row 1 of 'vertex' has more values than the header says .add the property"),
     ("late.ply", ply(TWO, "0 0 0\n0 0 0 0\n"), "row 2 of 'vertex' has more values"),

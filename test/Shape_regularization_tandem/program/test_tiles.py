@@ -6,8 +6,8 @@ import gzip
 import os
 import shutil
 
+from clouds import OPTIONS, OUTPUTS, TILES, write_tiles
 from support import HAS_GZIP, HELP, NOTHING, WARNS, cases, ply, properties, table
-from tiles import OPTIONS, OUTPUTS, TILES, write_tiles
 
 ALL = " ".join(TILES)
 EMPTY = ply("element vertex 0\n" + properties(["x", "y", "z", "nx", "ny", "nz"], "float"))
