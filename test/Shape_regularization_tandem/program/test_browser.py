@@ -39,10 +39,12 @@ def show(p, address):
     """What the page tells after '#check'."""
     run = subprocess.run(browser(p, "--virtual-time-budget=10000", "--dump-dom",
                                  f"file://{p.path('page.html')}#check&{address}"),
-                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", timeout=60, check=True)
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", timeout=60,
+                         check=True)
     body = re.search("<body[^>]*>", run.stdout).group()
     assert "CONSOLE" not in run.stderr and "data-error" not in body, body + run.stderr
-    told = {name: re.search(f'data-{name}="([a-z0-9]+)"', body).group(1) for name in ("shown", "colors", "drawn", "selected")}
+    told = {name: re.search(f'data-{name}="([a-z0-9]+)"', body).group(1)
+            for name in ("shown", "colors", "drawn", "selected")}
     return {name: int(value) if value.isdigit() else value for name, value in told.items()}
 
 
@@ -64,7 +66,8 @@ def test_lost_context(p):
     """The context is lost, and returns."""
     script = (HERE / "lose_context.js").read_text()
     p.write({"lost.html": p.read("page.html").replace("</body>", f"<script>\n{script}</script>\n</body>")})
-    subprocess.run(["sh", "-c", WAITING, "sh", *browser(p, f"file://{p.path('lost.html')}#{VIEW}")], cwd=p.folder, timeout=100,
+    subprocess.run(["sh", "-c", WAITING, "sh", *browser(p, f"file://{p.path('lost.html')}#{VIEW}")], cwd=p.folder,
+                   timeout=100,
                    stdout=subprocess.DEVNULL)
     assert '"wrong: nothing"' in p.read("log"), re.findall('"wrong: [^"]*', p.read("log"))
 
@@ -83,7 +86,8 @@ def room(p):
     size, i = np.array([6, 4, 3]), np.arange(40)
     faces = [face(axis, end * size[axis], 1 - 2 * end, [0, 0], np.delete(size, axis),
                   [40 + 80 * axis, 60 + 120 * end, 200 - 60 * axis]) for axis in range(3) for end in (0, 1)]
-    air = np.column_stack([.5 + .13 * i, .5 + i * 7 % 30 / 10, .6 + i * 11 % 18 / 10, np.tile([0, 0, 1, 255, 255, 255], (40, 1))])
+    air = np.column_stack([.5 + .13 * i, .5 + i * 7 % 30 / 10, .6 + i * 11 % 18 / 10,
+                           np.tile([0, 0, 1, 255, 255, 255], (40, 1))])
     rows = np.concatenate([*faces, face(1, 3.7, -1, [2, 1], [4, 2], [250, 240, 10]), air])
     text = "".join("{:.4f} {:.4f} {:.4f} {:g} {:g} {:g} {:g} {:g} {:g}\n".format(*row) for row in rows)
     p.write({"room.xyz": "x y z nx ny nz red green blue\n" + text})

@@ -6,7 +6,8 @@ import os
 import re
 
 import numpy as np
-from support import (BARE, CLOUD, CUBE, HAS_VIEW, HELP, N, NO_POINTS, NOTHING, VERTICES, WARNS, XYZ, binary_ply, cases, cube,
+from support import (BARE, CLOUD, CUBE, HAS_VIEW, HELP, N, NO_POINTS, NOTHING, VERTICES, WARNS, XYZ, binary_ply, cases,
+                     cube,
                      off, ply, properties, refused_files, table)
 
 NUMBER = r"-?[0-9.]+(e-?[0-9]+)?"
@@ -23,7 +24,8 @@ def prepare(p):
       "--vg-by-plane --labels out.labels --planes out.planes --polygons out.obj --report out.json --backend sequential")
 
 
-REPORT = {"parameters": "maximum_distance minimum_region_size", "counts": "points shapes ignored assigned directions planes rounds",
+REPORT = {"parameters": "maximum_distance minimum_region_size",
+          "counts": "points shapes ignored assigned directions planes rounds",
           "criteria": "coverage mean_distance complexity", "score": "fit total",
           "seconds": "read normals sort neighbors growth regularity final total", "memory": "process_peak_bytes",
           "relations": "parallel_groups coplanar_groups orthogonal_pairs", "free": "misfit total",
@@ -109,7 +111,8 @@ test_unreadable_input = refused_files([
 
 @table("pattern, arguments", [
     *((f"no/such.{kind}: cannot be written", f"--{option} no/such.{kind}")
-      for option, kind in (("output", "ply"), ("vg", "vg"), ("polygons", "obj"))), ("a folder: is a directory", "--planes 'a folder'"),
+      for option, kind in (("output", "ply"), ("vg", "vg"), ("polygons", "obj"))),
+      ("a folder: is a directory", "--planes 'a folder'"),
     *(("/dev/full: cannot be written completely", f"--{option} /dev/full")
       for option in ("output", "labels", "planes", "report", "vg")),
     ("/dev/full", "--labels old.labels --planes never.planes --report /dev/full")])
@@ -157,10 +160,12 @@ test_bad_usage = cases([
           ("minimum-region-size", ".3, 2147483648. ", (-5, 0, 2, 2147483649, 9223372036854775807)),
           ("k-neighbors", ".3, 64. ", (-5, 2, 65, 2147483648)), ("simplicity", ".0, 1. ", (-1, "nan", "inf")),
           ("regularity", ".0, 10. ", (-1, "nan")), ("surfel-size", ".0, 0.55. ", (-1, "nan", 0.56)),
-          ("cell-size", ".64, 65536. ", (-1, 1)), ("threads", "", (0,)), ("estimate-normals", "", (2,))) for value in values),
+          ("cell-size", ".64, 65536. ", (-1, 1)), ("threads", "", (0,)), ("estimate-normals", "", (2,)))
+          for value in values),
     *((f": --fixed-direction is '{value}', must be three numbers .*, as in 0,0,1 ", f"cube.ply --fixed-direction '{value}'")
       for value in ("0,0", "a,b,c", "0,0,0", "0 0 1", "0,0,1,0", "0,0,1x", "0,0,1e999", "nan,0,1", ",0,1")),
-    *((f"--{name}-direction is '0', must be three numbers", f"cube.ply --{name}-direction 0 0 1") for name in ("fixed", "symmetry")),
+    *((f"--{name}-direction is '0', must be three numbers", f"cube.ply --{name}-direction 0 0 1")
+      for name in ("fixed", "symmetry")),
     ("--fixed-direction is '', must be", "cube.ply --fixed-direction 0,0,1 --fixed-direction ''"),
     ("backend is 'gpu'", "cube.ply --backend gpu"), ("named twice", "cube.ply --output ./cube.ply"),
     ("named twice", "cube.ply --output new.ply --labels 'a folder/../new.ply'"),

@@ -180,7 +180,8 @@ def test_format_option(p, room_hash):
         p(0, f"columns +x y z\n.*{room_hash}", f"'a folder/{name}' --format {format}")
     for format in ("ply", "las", "pcd"):
         p.write({f"{format}.bin": p.path(f"rich.{format}").read_bytes()})
-        p(1, f"{format}.bin: unknown format '.bin', .*; --format {format} reads it as what its first bytes say", f"{format}.bin")
+        p(1, f"{format}.bin: unknown format '.bin', .*; --format {format} reads it as what its first bytes say",
+          f"{format}.bin")
         p(0, f"points +{N}.*shapes +3 in", f"{format}.bin --format {format} E")
     p(0, NOTHING, "'a folder/cloud.doc' --format xyz --output-directory tiles --quiet")
     assert p.has("tiles/cloud.ply")

@@ -125,7 +125,8 @@ def test_what_is_shown_of_names(p, name, shown):
     (r"\A130\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -INT $pid; end"),
     (r"\A143\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -TERM $pid; end"),
     (r"\A152\n\Z", "ulimit -c 0; start 1000 $files; kill -XCPU $pid; end"),
-    (r"\A130\n\Z", "parts=1 folder=new/d; start 1000 --output-directory new/d --planes p; kill -INT $pid; sleep .1; kill -INT $pid; end"),
+    (r"\A130\n\Z",
+     "parts=1 folder=new/d; start 1000 --output-directory new/d --planes p; kill -INT $pid; sleep .1; kill -INT $pid; end"),
     (r"\A\Z", f"{{ sleep .1; {RUN} --output never.ply --planes /dev/stdout; }} | true"),
     (r"\A0\n\Z", "trap '' HUP; start 100 $files; kill -HUP $pid; end; rm never.ply never.labels")])  # as nohup
 def test_signals(p, pattern, command):

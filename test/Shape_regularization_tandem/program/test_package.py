@@ -72,7 +72,8 @@ def installed(tmp_path_factory):
 
 
 def test_installed_program(installed):
-    assert re.fullmatch(r"detect_planes \(Tandem\) [0-9]+\.[0-9]+\.[0-9]+\n", run(installed / "bin/detect_planes", "--version"))
+    assert re.fullmatch(r"detect_planes \(Tandem\) [0-9]+\.[0-9]+\.[0-9]+\n",
+                        run(installed / "bin/detect_planes", "--version"))
     if FACTS["HELP2MAN"]:
         assert re.search("maximum.-distance", (installed / "share/man/man1/detect_planes.1").read_text())
 

@@ -105,7 +105,8 @@ test_refused = refused_files([
     *(("points.txt", f"1;2;3\n{row}\n",
        "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor", "--decimal-comma")
       for row in ("1.234,5;2;3", "1.5;2,5;3", "1 2.25 3", "1.5,2.5,3.5")),
-    *(("many.txt", f"1;2;3\n{row}\n", "row 2 has ", "--decimal-comma") for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
+    *(("many.txt", f"1;2;3\n{row}\n", "row 2 has ", "--decimal-comma")
+      for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
     ("commas.csv", None, "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
     ("commas.txt", None, "row 2 .*or give --decimal-comma.", NAMED),
     # Names and extensions
@@ -124,7 +125,8 @@ test_refused = refused_files([
         "1,-5,2,5,3,5\n0,10,20,0,0,0\n", "1,5,2,5,3,5\n0,.5,20,0,0,0\n", "x,y,z,r,g,b\n1,5,2,5,3,5\n",
         "1;5;2;500;3;5\n0;10;20;0;0;0\n", "1,5,2.5,500,3,5\n0,10,20,0,0,0\n",
         "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n")),
-    ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"), ("x y z", "1 2 3 4\n", NAMED), ("x y z", "1;2;3;4\n", NAMED),
+    ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"), ("x y z", "1 2 3 4\n", NAMED),
+    ("x y z", "1;2;3;4\n", NAMED),
     ("_ x y z", "scan 05,1,2,3\nscan 06,1,2,3\n", "--columns '_ x y z'"),
     ("x y z _", "1,2,3,05\n1,2,3,06\n", "--columns 'x y z _'"),
     ("x _ y z _ _", "1,0,2,3,4,5,\n", "--columns 'x _ y z _ _'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
@@ -199,7 +201,8 @@ LIMIT = "more than 65536 bytes, the limit of a"
 
 
 @table("row, name, text", [
-    ("row 1", "endless.xyz", ""), ("row 3", "endless.csv", "0 0 0\n1 0 0\n0 1 0"), ("row 2", "endless.xyz", "0 0 0\n# comment"),
+    ("row 1", "endless.xyz", ""), ("row 3", "endless.csv", "0 0 0\n1 0 0\n0 1 0"),
+    ("row 2", "endless.xyz", "0 0 0\n# comment"),
     ("row 1", "head.off", ""), ("row 2", "count.off", "OFF\n1"), ("row 4", "rows.off", "OFF\n2 0 0\n0 0 0\n1 0 0"),
     ("row 4", "face.off", "OFF\n1 1 0\n0 0 0\n1 0"), ("row 3", "note.ply", "ply\nformat ascii 1.0\ncomment"),
     ("row 2 of 'vertex'", "rows.ply", ply(TWO, "0 0 0\n1 0 0")), ("row 1 of 'strip'", "strip.ply", ply(STRIP, BARE + "1 ")),

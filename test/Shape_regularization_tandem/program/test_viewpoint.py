@@ -49,7 +49,8 @@ def groups(p, name):
 
 
 @table("cloud, side, place, arguments", [
-    *(("bare", 1, place, "bare.xyz --viewpoint='{}, {}, {}'".format(*place)) for place in ((5, 6, 7), (-2, -3, .5), (0, 6, 0))),
+    *(("bare", 1, place, "bare.xyz --viewpoint='{}, {}, {}'".format(*place))
+      for place in ((5, 6, 7), (-2, -3, .5), (0, 6, 0))),
     # Far away a step of float is half a unit.
     *(("far", 1, (x, 2, 2), f"far.xyz --viewpoint {x},2,2") for x in (4500001.25, 4500000.75)),
     # Given normals have a side.

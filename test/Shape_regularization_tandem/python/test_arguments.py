@@ -79,7 +79,8 @@ def test_refused():
     points, normals = room()
     n = len(points)
     for name, what, values in (
-            ("points", "must", (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
+            ("points", "must",
+             (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
                                 [[1, 2, 3], [4]])),
             ("normals", "must", (normals[:-1], normals[:, :1], "xyz")),
             ("maximum_distance_map", "must", (np.ones(n - 1), np.ones((n, 1)), 0.03, "text", np.ones(n) > 0)),

@@ -134,7 +134,8 @@ def test_they_outlive_the_result():
 
 
 def test_text():
-    assert re.search(r"^<tandem.PlanarShapes: 6 shapes, 3 directions, 6 planes, \d+ of 9150 points>$", repr(shapes_of_room()))
+    assert re.search(r"^<tandem.PlanarShapes: 6 shapes, 3 directions, 6 planes, \d+ of 9150 points>$",
+                     repr(shapes_of_room()))
     assert re.search(r"^\d+\.\d+\.\d+$", tandem.__version__)
     assert re.search(r"points +\(n, 3\) numbers", tandem.detect_planes.__doc__)
     assert "(m, 4) float64" in tandem.PlanarShapes.planes.__doc__

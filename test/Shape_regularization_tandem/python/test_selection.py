@@ -56,7 +56,8 @@ def test_errors():
         with pytest.raises(ValueError, match=word):
             tandem.select_shapes(shapes, wrong)
     for function, given, wrong in (
-            (tandem.select_shapes, [], {"largest": (0, -1), "near_angle": (91,), "minimum_area": (-1,), "minimum_extent": (np.nan,),
+            (tandem.select_shapes, [],
+             {"largest": (0, -1), "near_angle": (91,), "minimum_area": (-1,), "minimum_extent": (np.nan,),
                                         "near_direction": ((0, 0, 0),), "orthogonal_direction": ((0, 1),)}),
             (tandem.label_points, [points], {"maximum_distance": (0,), "maximum_angle": (90,), "normals": (points[1:],),
                                              "reach": (0, np.nan, -np.inf), "maximum_distance_map": ([1],)})):
