@@ -28,6 +28,7 @@ def prepare(p):
              "named.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA),
              "second.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA + (7, 0, 0, 0)),
              "named.csv": "X,Y,Z,sigma\n" + text_of(WITH_SIGMA, ","),
+             "both.txt": "x y z scalar_Sigma sigma\n" + text_of(np.column_stack([WITH_SIGMA, 2 * SIGMA])),
              "cloud.pcd": pcd(WITH_OTHER, "x y z other Sigma").replace("8 8 8 8 8", "8 8 8 4 8").replace(
                  "F F F F F", "F F F U F"),
              "cloud.ply": ply(VERTICES + "property uchar other\nproperty float sigma\n", WITH_OTHER),
@@ -46,6 +47,10 @@ def test_columns(p):
     for i, arguments in enumerate(["named.txt", "named.csv", "cloud.pcd", "cloud.ply", "bare.xyz --columns 'x y z sigma'"]):
         check_tolerances(p, "sigma", EXPECTED, 24, f"{arguments} --tolerance-column sigma --labels {i}.labels")
         assert p.is_same("0.labels", f"{i}.labels")
+    # The same name, or else the first that differs in letters only
+    for name, factor in (("sigma", 2), (" SIG_ma", 1)):
+        check_tolerances(p, name, {limit: factor * x for limit, x in EXPECTED.items()}, 24,
+                         f"both.txt --tolerance-column '{name}'")
 
 
 def test_inputs_and_bounds(p):
