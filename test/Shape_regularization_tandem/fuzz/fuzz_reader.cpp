@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-
-#include "fuzz_reader.h"
+//
+// The readers of clouds: fuzz_ply takes the bytes for a file that ends in .ply, and so on. It ends where a cloud comes out
+// that the bytes cannot hold, and in text other points than its rows.
 
 #include "input/read_cloud.h"
 
@@ -9,43 +10,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <new>
+#include <sstream>
 
 #include <unistd.h>
 
 namespace {
-
-// In memory where there is such a folder. Targets that run at the same time have files of their own.
-std::string make_path(const char* extension)
-{
-  const std::filesystem::path memory = "/dev/shm";
-  std::error_code error;
-  const bool has_memory = std::filesystem::is_directory(memory, error) && access(memory.c_str(), W_OK) == 0;
-  const std::filesystem::path folder = has_memory ? memory : std::filesystem::temp_directory_path();
-  return folder / ("tandem_fuzz_" + std::to_string(getpid()) + extension);
-}
-
-class Scratch_file {
-public:
-  explicit Scratch_file(const char* extension) : path_(make_path(extension)) {}
-  ~Scratch_file() { std::remove(path_.c_str()); }
-  Scratch_file(const Scratch_file&) = delete;
-  Scratch_file& operator=(const Scratch_file&) = delete;
-
-  const std::string& path() const { return path_; }
-
-  void write(const std::uint8_t* bytes, std::size_t size) const
-  {
-    std::ofstream out(path_, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(bytes), std::streamsize(size));
-    expect(bool(out.flush()), "the file cannot be written");
-  }
-
-private:
-  std::string path_;
-};
-
-} // namespace
 
 void expect(bool is_true, const char* what)
 {
@@ -55,18 +26,45 @@ void expect(bool is_true, const char* what)
   std::abort();
 }
 
-namespace {
+// Of the smallest point, in bytes.
+const std::map<std::string, double> least_sizes = {{"las", 20}, {"off", 6}, {"pcd", 3. / 88},
+                                                   {"ply", 6},  {"ptx", 5}, {"xyz", 4}};
 
-std::size_t read_with(const std::string& path, const program::Input_settings& settings)
+// The file, in memory where there is such a folder. Targets that run at the same time have files of their own.
+class Scratch_file {
+public:
+  ~Scratch_file() { std::remove(path.c_str()); }
+
+  void name(const std::string& extension)
+  {
+    const std::filesystem::path memory = "/dev/shm";
+    const bool has_memory = access(memory.c_str(), W_OK) == 0;
+    path = (has_memory ? memory : std::filesystem::temp_directory_path()) /
+           ("tandem_fuzz_" + std::to_string(getpid()) + '.' + extension);
+    format = extension;
+  }
+
+  void write(const std::string& bytes) const
+  {
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    expect(bool(out << bytes << std::flush), "the file cannot be written");
+  }
+
+  std::string path, format;
+};
+Scratch_file file;
+
+// The number of points, 0 if the file is rejected.
+std::size_t read_with(const program::Input_settings& settings)
 {
   program::Point_set points;
   program::Input_notes notes;
   try {
-    program::read_cloud(path, settings, false, points, notes);
+    program::read_cloud(file.path, settings, false, points, notes);
   } catch(const std::bad_alloc&) {
     expect(false, "a small file needs more memory than there is");
   } catch(const std::exception& e) {
-    expect(std::string(e.what()).compare(0, path.size(), path) == 0, e.what()); // names the file
+    expect(std::string(e.what()).compare(0, file.path.size(), file.path) == 0, e.what()); // names the file
     return 0;
   }
   expect(!points.empty(), "no points, and no exception");
@@ -75,22 +73,83 @@ std::size_t read_with(const std::string& path, const program::Input_settings& se
   return points.size();
 }
 
+// --- Rows of text
+
+// Without empty ones and comments.
+std::vector<std::string> rows_of(const std::string& text)
+{
+  std::vector<std::string> rows;
+  std::istringstream in(text);
+  for(std::string row; std::getline(in, row);) {
+    const std::size_t first = row.find_first_not_of(" \t\r\v\f");
+    if(first != row.npos && row[first] != '#')
+      rows.push_back(row);
+  }
+  return rows;
+}
+
+bool is_point(const std::string& row)
+{
+  std::istringstream in(row);
+  double x, y, z;
+  return bool(in >> x >> y >> z);
+}
+
+// First the word OFF and the numbers of points, faces and edges, on one row or on two; then points; then faces.
+void check_off(const std::vector<std::string>& rows, std::size_t points)
+{
+  std::string word;
+  long long announced = 0, faces = 0;
+  std::istringstream head(rows[0]);
+  const std::size_t first = head >> word >> announced >> faces ? 1 : 2;
+  if(first == 2)
+    std::istringstream(rows[1]) >> announced >> faces;
+  expect(announced == (long long)(points), "another number of points than the file announces");
+  expect(rows.size() >= first + points, "more points than rows");
+  for(std::size_t i = first; i < first + points; ++i)
+    expect(is_point(rows[i]), "a row in place of a point, or a point in place of another one");
+  expect(rows.size() >= first + points + std::size_t(faces < 0 ? 0 : faces), "faces in place of points");
+}
+
+// After names and the number of points, each row is a point. Otherwise labels would belong to other rows.
+void check_table(std::vector<std::string> rows, std::size_t points)
+{
+  const auto is_comment = [](const std::string& row) {
+    return row.compare(row.find_first_not_of(" \t\r\v\f"), 2, "//") == 0;
+  };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_comment), rows.end());
+  expect(points <= rows.size(), "more points than rows");
+  for(std::size_t i = 0; i < rows.size() - points; ++i)
+    expect(!is_point(rows[i]), "a row that is passed over is a point");
+}
+
 } // namespace
 
-// With a tolerance, as many points or none.
-std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char* extension, double least_size)
+extern "C" int LLVMFuzzerInitialize(int*, char*** arguments)
 {
-  static const Scratch_file file(extension);
-  file.write(bytes, size);
-  const std::size_t count = read_with(file.path(), {});
+  const std::string name = (*arguments)[0];
+  file.name(name.substr(name.rfind('_') + 1));
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const std::string bytes(data, data + size);
+  file.write(bytes);
+  const std::size_t count = read_with({});
   program::Input_settings settings;
   settings.sample = 3;
   settings.has_decimal_commas = true;
-  read_with(file.path(), settings);
+  read_with(settings);
   settings = {};
   settings.tolerance = "shape";
-  const std::size_t with_tolerance = read_with(file.path(), settings);
+  const std::size_t with_tolerance = read_with(settings);
   expect(with_tolerance == 0 || with_tolerance == count, "points depend on the tolerance");
-  expect(double(count) * least_size <= double(size + 1), "more points than the file has room for");
-  return count;
+  expect(double(count) * least_sizes.at(file.format) <= double(size + 1), "more points than the file has room for");
+  if(count > 0 && file.format == "off")
+    check_off(rows_of(bytes), count);
+  if(count > 0 && file.format == "xyz")
+    check_table(rows_of(bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? bytes.substr(3) : bytes),
+                count); // the mark of UTF-8
+  return 0;
 }

@@ -35,7 +35,7 @@ run(async b => {
 
   // Colors of the input, of points and as a mean of surfaces.
   await b.click("#color-input");
-  const color = [200 / 255, 180 / 255, 80 / 255]; // of make_room.js
+  const color = [200 / 255, 180 / 255, 80 / 255]; // of the ceiling, in test_browser.py
   b.expect(await b.share(region, color) > 0.005, "no point has the color of the input");
   await b.click("#layer-surface");
   await b.click("#layer-points");

@@ -92,13 +92,13 @@ def cases(rows, *code, absent=()):
     return test
 
 
-def refused_files(rows, absent=()):
+def refused_files(rows, arguments="", absent=()):
     """A test of rows: the name of a file, its content, unless it is there, what is said of it, and maybe more arguments."""
     @pytest.mark.parametrize("row", rows)
     def test(p, row):
         name, content, pattern, *more = row
         p.write({} if content is None else {name: content})
-        p(1, f"{re.escape(name)}: {pattern}", [name, *shlex.split(" ".join(more))])
+        p(1, f"{re.escape(name)}: {pattern}", [name, *shlex.split(" ".join([arguments, *more]))])
         assert not p.has(*absent)
     return test
 

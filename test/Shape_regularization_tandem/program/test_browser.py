@@ -9,6 +9,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 from support import HAS_VIEW, N, NOTHING, table
 
@@ -38,10 +39,12 @@ def show(p, address):
     """What the page tells after '#check'."""
     run = subprocess.run(browser(p, "--virtual-time-budget=10000", "--dump-dom",
                                  f"file://{p.path('page.html')}#check&{address}"),
-                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", timeout=60, check=True)
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", timeout=60,
+                         check=True)
     body = re.search("<body[^>]*>", run.stdout).group()
     assert "CONSOLE" not in run.stderr and "data-error" not in body, body + run.stderr
-    told = {name: re.search(f'data-{name}="([a-z0-9]+)"', body).group(1) for name in ("shown", "colors", "drawn", "selected")}
+    told = {name: re.search(f'data-{name}="([a-z0-9]+)"', body).group(1)
+            for name in ("shown", "colors", "drawn", "selected")}
     return {name: int(value) if value.isdigit() else value for name, value in told.items()}
 
 
@@ -63,15 +66,32 @@ def test_lost_context(p):
     """The context is lost, and returns."""
     script = (HERE / "lose_context.js").read_text()
     p.write({"lost.html": p.read("page.html").replace("</body>", f"<script>\n{script}</script>\n</body>")})
-    subprocess.run(["sh", "-c", WAITING, "sh", *browser(p, f"file://{p.path('lost.html')}#{VIEW}")], cwd=p.folder, timeout=100,
+    subprocess.run(["sh", "-c", WAITING, "sh", *browser(p, f"file://{p.path('lost.html')}#{VIEW}")], cwd=p.folder,
+                   timeout=100,
                    stdout=subprocess.DEVNULL)
     assert '"wrong: nothing"' in p.read("log"), re.findall('"wrong: [^"]*', p.read("log"))
 
 
+def face(axis, height, side, low, high, color, step=0.05):
+    """The rectangle at `height` along an axis, from low to high along the two others: points, normals and colors"""
+    places = np.stack([a.ravel() for a in np.mgrid[low[0] + step / 2:high[0]:step, low[1] + step / 2:high[1]:step]], axis=1)
+    normal = side * np.eye(3)[axis]
+    return np.column_stack([np.insert(places, axis, height, axis=1), np.tile([*normal, *color], (len(places), 1))])
+
+
 @pytest.fixture(scope="module")
 def room(p):
-    subprocess.run([NODE, HERE / "make_room.js", p.path("room.ply")], check=True)
-    p(0, NOTHING, "room.ply --maximum-distance 0.02 --quiet --view room.html")
+    """A closed room of 6 x 4 x 3 with a board on its long wall: normals point into the room, each face has a color of its
+    own, and some points are in the air."""
+    size, i = np.array([6, 4, 3]), np.arange(40)
+    faces = [face(axis, end * size[axis], 1 - 2 * end, [0, 0], np.delete(size, axis),
+                  [40 + 80 * axis, 60 + 120 * end, 200 - 60 * axis]) for axis in range(3) for end in (0, 1)]
+    air = np.column_stack([.5 + .13 * i, .5 + i * 7 % 30 / 10, .6 + i * 11 % 18 / 10,
+                           np.tile([0, 0, 1, 255, 255, 255], (40, 1))])
+    rows = np.concatenate([*faces, face(1, 3.7, -1, [2, 1], [4, 2], [250, 240, 10]), air])
+    text = "".join("{:.4f} {:.4f} {:.4f} {:g} {:g} {:g} {:g} {:g} {:g}\n".format(*row) for row in rows)
+    p.write({"room.xyz": "x y z nx ny nz red green blue\n" + text})
+    p(0, NOTHING, "room.xyz --maximum-distance 0.02 --quiet --view room.html")
     return p.path("room.html")
 
 

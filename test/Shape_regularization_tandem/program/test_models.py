@@ -159,7 +159,8 @@ def area_of(feature):
     return -area if normal[2] < -1e-9 else area
 
 
-@table("arguments, polygons", [("cube.ply E --oriented", [1, 1, 1]), (f"{SCENE} --oriented", None), (f"{SCENE} --triangulate", None)])
+@table("arguments, polygons",
+       [("cube.ply E --oriented", [1, 1, 1]), (f"{SCENE} --oriented", None), (f"{SCENE} --triangulate", None)])
 def test_polygons(p, arguments, polygons):
     """Each face of the cube is one square without holes: five corners with the first one again."""
     p.run([PROGRAM, *words_of(f"{arguments} --polygons out.geojson")], {})

@@ -8,8 +8,8 @@ import re
 import shutil
 
 import pytest
+from clouds import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 from support import CLOUD, CUBE, HELP, NOTHING, PROGRAM, WARNS, pcd, ply, properties, table, words_of
-from tiles import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 
 MPIEXEC = os.environ.get("TANDEM_MPIEXEC")
 pytestmark = [pytest.mark.mpi,
@@ -162,7 +162,8 @@ def test_the_same_warnings(p):
 def test_the_same_tolerances(p, option):
     """Of the report and of the planes. Points at 0 0 0 are in one tile."""
     for n in (1, 3):
-        ranks(p, n, 0, "; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)", f"zeros.xyz folder/Middle.XYZ last.xyz "
+        ranks(p, n, 0, "; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)",
+              f"zeros.xyz folder/Middle.XYZ last.xyz "
               f"{option} --ignore-zeros --planes tolerances_{n}.planes --report tolerances_{n}.json")
     assert p.is_same("tolerances_1.planes", "tolerances_3.planes")
     first, second = (p.json(f"tolerances_{n}.json") for n in (1, 3))

@@ -31,15 +31,12 @@ def prepare(p):
 
 @table("before, after, command", [
     # What the shell has opened is not replaced.
-    ("old\n", "", f"{RUN} --quiet --planes /dev/stdout >> log"),
-    ("old\n", SUMMARY, f"{RUN} --planes /dev/stdout >> log"),
-    ("", SUMMARY, f"{RUN} --planes /dev/stdout > log"),
+    ("old\n", "", f"{RUN} --quiet --planes /dev/stdout >> log"), ("", SUMMARY, f"{RUN} --planes /dev/stdout > log"),
     ("old\n", SUMMARY, f"{RUN} --planes log >> log"),
     ("old\nthree\n", "end\n", f"exec 3>> log; echo three >&3; {RUN} --quiet --planes /dev/fd/3; echo end >&3"),
     ("old\n", SUMMARY, f"ln -s /dev/stdout my_output; {RUN} --planes my_output >> log"),
     # Pipes
-    ("", "", f"{RUN} --quiet --planes /dev/stdout | cat > log"),
-    ("", "", f"{RUN} --quiet --planes /dev/fd/1 | cat > log"),
+    *(("", "", f"{RUN} --quiet --planes {name} | cat > log") for name in ("/dev/stdout", "/dev/fd/1")),
     ("", "", f"mkfifo fifo; cat fifo > log & {RUN} --quiet --planes fifo; wait"),
     ("", "", f"{{ {RUN} --quiet --planes /dev/fd/5 5>&1 >&2 | cat; }} > log")])  # as in a process substitution
 def test_opened_files(p, before, after, command):
@@ -94,11 +91,9 @@ def test_modes(p):
 
 
 @table("code, arguments", [
-    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (2, [NAME + b".ply", "--output", b"./" + NAME + b".ply"]),
-    (2, [NAME + b".ply", "--output-directory", "."]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]),
-    *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "view", "backend", "classes", "columns",
-                                                            "fixed-direction", "threads")),
-    (2, ["cube.ply", b"--" + NAME, NAME]), (2, ["cube.ply", b"--" + NAME]),
+    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (2, [NAME + b".ply", "--output-directory", "."]),
+    (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
+    *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "classes", "columns", "fixed-direction", "threads")),
     (WARNS, ["cube.ply", b"none " + NAME + b".ply", "E"]), (0, [NAME + b".ply", "E", "--report", "names.json"])])
 def test_names_with_any_bytes(p, code, arguments):
     """None controls a terminal."""
@@ -130,7 +125,8 @@ def test_what_is_shown_of_names(p, name, shown):
     (r"\A130\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -INT $pid; end"),
     (r"\A143\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -TERM $pid; end"),
     (r"\A152\n\Z", "ulimit -c 0; start 1000 $files; kill -XCPU $pid; end"),
-    (r"\A130\n\Z", "parts=1 folder=new/d; start 1000 --output-directory new/d --planes p; kill -INT $pid; sleep .1; kill -INT $pid; end"),
+    (r"\A130\n\Z",
+     "parts=1 folder=new/d; start 1000 --output-directory new/d --planes p; kill -INT $pid; sleep .1; kill -INT $pid; end"),
     (r"\A\Z", f"{{ sleep .1; {RUN} --output never.ply --planes /dev/stdout; }} | true"),
     (r"\A0\n\Z", "trap '' HUP; start 100 $files; kill -HUP $pid; end; rm never.ply never.labels")])  # as nohup
 def test_signals(p, pattern, command):

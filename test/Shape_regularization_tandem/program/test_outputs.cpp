@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 BOOST_AUTO_TEST_SUITE(test_outputs)
@@ -230,14 +229,14 @@ void check_files(const Output_case& c, const program::Described_shapes& describe
   }));
   check_numbers(geojson, c.name);
   CHECK_AT(geojson.at("features").size() == c.shapes.number_of_shapes(), c.name);
-  const Json report = Json::parse(text_of([&](auto& out) { write_report(out, c.shapes, run); }));
+  const Json report = Json::parse(text_of([&](auto& out) { program::write_report(out, c.shapes, run); }));
   CHECK_AT(report.at("counts").at("shapes") == c.shapes.number_of_shapes(), c.name);
-  const std::string page = text_of([&](auto&out) { write_view(out, described, run); }), mark = "id=\"scene\">";
+  const std::string page = text_of([&](auto&out) { program::write_view(out, described, run); }), mark = "id=\"scene\">";
   const std::size_t first = page.rfind(mark) + mark.size();
   const Json scene = Json::parse(page.substr(first, page.find("</script>", first) - first));
   CHECK_AT(scene.at("assigned") == c.shapes.statistics().number_of_assigned_points, c.name);
   check_numbers(scene.at("shapes"), c.name);
-  const std::string groups = text_of([&](auto& out) { write_vg(out, c.points, c.shapes); });
+  const std::string groups = text_of([&](auto& out) { program::write_vg(out, c.points, c.shapes); });
   CHECK_AT(groups.find("nan") == groups.npos && groups.find("inf") == groups.npos, c.name);
 }
 
@@ -316,19 +315,6 @@ Output_case case_of_plane(const std::string& name, const Cloud& cloud, const pro
   data.statistics.number_of_assigned_points = cloud.size();
   data.statistics.number_of_shapes = data.statistics.number_of_directions = data.statistics.number_of_planes = 1;
   return case_of(name, cloud, Shapes(data));
-}
-
-// Too few points for an outline, and points on a line.
-BOOST_AUTO_TEST_CASE(no_outline)
-{
-  for(const std::size_t width : {3, 1}) {
-    Cloud cloud;
-    for(std::size_t i = 0; i < 9; ++i)
-      cloud.emplace_back(Kernel::Point_3(double(i % width), double(i / width), 0), Kernel::Vector_3(0, 0, 1));
-    Totals totals;
-    check_outputs(case_of_plane("a few points", cloud, {0, 0, 1, 0}), totals);
-    CHECK(totals.polygons == 0);
-  }
 }
 
 // So far from the origin that coordinates are rounded to a few tenths of the spacing, or less.

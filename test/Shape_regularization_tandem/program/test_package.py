@@ -24,29 +24,21 @@ USER = r"""
 #include <CGAL/Shape_regularization_tandem.h>
 int main()
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  std::vector<Point> points;
   for(int i = 0; i < 400; ++i)
-    points.emplace_back(Kernel::Point_3(i % 20, i / 20, 0), Kernel::Vector_3(0, 0, 1));
-  CGAL::Tandem::Parameters settings;
-  settings.maximum_distance = settings.maximum_offset = .1;
-  settings.minimum_region_size = 100;
-  CGAL::Tandem::check_parameters(settings);
-  CGAL::Tandem::Detection_stage stage = CGAL::Tandem::Detection_stage::sort;
+    points.emplace_back(i % 20, i / 20, 0);
+  auto stage = CGAL::Tandem::Detection_stage::sort;
   const CGAL::Tandem::Callback callback = [&](double progress) {
     stage = CGAL::Tandem::stage_at(progress);
     return true;
   };
-  using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
-  using Normals = CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
   try {
     const auto shapes = CGAL::Tandem::detect_planes<TAG>(points,
-      CGAL::Tandem::parameters::settings(settings).point_map(Map()).normal_map(Normals()).callback(callback));
+      CGAL::Tandem::parameters::maximum_distance(.1).minimum_region_size(100).callback(callback));
     const CGAL::Tandem::Statistics& statistics = shapes.statistics();
-    if(statistics.number_of_shapes != 1 || stage != CGAL::Tandem::Detection_stage::done)
-      return 1;
-    const CGAL::Tandem::Coefficients& plane = shapes.coefficients(0);
-    return plane[2] * plane[2] == 1 && plane[3] == 0 ? 0 : 1;
+    const bool is_done = statistics.number_of_shapes == 1 && stage == CGAL::Tandem::Detection_stage::done;
+    return is_done && shapes.coefficients(0)[2] * shapes.coefficients(0)[2] == 1 ? 0 : 1;
   } catch(const std::runtime_error& e) {
     return std::string(e.what()).find("no CUDA device") != std::string::npos ? 0 : 1;
   }
@@ -80,7 +72,8 @@ def installed(tmp_path_factory):
 
 
 def test_installed_program(installed):
-    assert re.fullmatch(r"detect_planes \(Tandem\) [0-9]+\.[0-9]+\.[0-9]+\n", run(installed / "bin/detect_planes", "--version"))
+    assert re.fullmatch(r"detect_planes \(Tandem\) [0-9]+\.[0-9]+\.[0-9]+\n",
+                        run(installed / "bin/detect_planes", "--version"))
     if FACTS["HELP2MAN"]:
         assert re.search("maximum.-distance", (installed / "share/man/man1/detect_planes.1").read_text())
 

@@ -55,7 +55,8 @@ def prepare(p):
     ([576, 384, 312], "--near-direction vertical --symmetry-direction 0,1,0")])
 def test_sizes(p, sizes, options):
     """The numbers of points of the shapes by --labels, in their order, and what the report says."""
-    p(0, NOTHING, f"{PARTS} {options} --labels l.bin --planes p.txt --report r.json --output o.ply --polygons o.obj --quiet")
+    p(0, NOTHING,
+      f"{PARTS} {options} --labels l.bin --planes p.txt --report r.json --output o.ply --polygons o.obj --quiet")
     assigned = sum(sizes)
     assert p.sizes("l.bin") == {**({-1: TOTAL - assigned} if assigned < TOTAL else {}), **dict(enumerate(sizes))}
     report = p.json("r.json")
@@ -72,7 +73,8 @@ test_summary = cases([
      "were not selected", f"{PARTS} --largest 1"),
     ("selection +1 of 4 shapes.*--by-plane --largest 1", f"{PARTS} --by-plane --largest 1"),
     ("selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane.", f"{PARTS} --by-plane"),
-    ("--minimum-area 0.020123456789 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.020123456789 --minimum-extent 0.16")],
+    ("--minimum-area 0.020123456789 --minimum-extent 0.16",
+     f"{PARTS} --minimum-area 0.020123456789 --minimum-extent 0.16")],
     0)
 
 
@@ -82,7 +84,8 @@ def test_outputs_of_what_is_left(p):
     p(0, "shapes +2", f"{PARTS} --near-direction vertical --output o.csv")
     assert set(p.csv("o.csv")["shape"]) == {-1, 0, 1}
     view = "--view v.html" if HAS_VIEW else ""
-    p(0, "selection +2 of 4", f"{PARTS} --near-direction vertical --oriented --planes p.txt --shapes s.csv {view} --by-plane "
+    p(0, "selection +2 of 4",
+      f"{PARTS} --near-direction vertical --oriented --planes p.txt --shapes s.csv {view} --by-plane "
       "--vg o.vg --polygons o.geojson")
     assert len(p.lines("s.csv")) == 3 and len(p.lines("o.geojson", '"id": [01],')) == 2
     assert p.lines("o.vg", "num_groups") == ["num_groups: 2"]

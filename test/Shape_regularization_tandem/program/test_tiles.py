@@ -6,8 +6,8 @@ import gzip
 import os
 import shutil
 
+from clouds import OPTIONS, OUTPUTS, TILES, write_tiles
 from support import HAS_GZIP, HELP, NOTHING, WARNS, cases, ply, properties, table
-from tiles import OPTIONS, OUTPUTS, TILES, write_tiles
 
 ALL = " ".join(TILES)
 EMPTY = ply("element vertex 0\n" + properties(["x", "y", "z", "nx", "ny", "nz"], "float"))
@@ -23,7 +23,8 @@ def prepare(p):
     p.path("linked").mkdir()
     for name, target in (("link", "folder"), ("linked/a.las", "../folder/last.las"), ("deep", "folder/sub")):
         p.path(name).symlink_to(target)
-    p(0, r"\Acorner.pts, .*points +9600.*hash", f"{ALL} {OPTIONS} --output-directory new/one --planes planes --output all.csv")
+    p(0, r"\Acorner.pts, .*points +9600.*hash",
+      f"{ALL} {OPTIONS} --output-directory new/one --planes planes --output all.csv")
 
 
 def test_each_input_has_its_points(p):
@@ -74,7 +75,8 @@ test_refused_names = cases([
     ("last.las and folder/last.las would both become out/last.las", "last.las folder/last.las --output-directory out"),
     ("corner.pts and corner.ply would both become out/corner.ply", "corner.pts corner.ply --output-directory out"),
     ("out/last.las is named twice", "last.las --output-directory out --labels out/last.las"),
-    ("--output-directory is '-'", "last.las --output-directory -")], 2, absent=["out", "folder/nn", "folder/n", "folder/sub/n", "nn"])
+    ("--output-directory is '-'", "last.las --output-directory -")], 2,
+    absent=["out", "folder/nn", "folder/n", "folder/sub/n", "nn"])
 
 
 def test_other_names(p):

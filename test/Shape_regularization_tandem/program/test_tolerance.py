@@ -28,6 +28,7 @@ def prepare(p):
              "named.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA),
              "second.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA + (7, 0, 0, 0)),
              "named.csv": "X,Y,Z,sigma\n" + text_of(WITH_SIGMA, ","),
+             "both.txt": "x y z scalar_Sigma sigma\n" + text_of(np.column_stack([WITH_SIGMA, 2 * SIGMA])),
              "cloud.pcd": pcd(WITH_OTHER, "x y z other Sigma").replace("8 8 8 8 8", "8 8 8 4 8").replace(
                  "F F F F F", "F F F U F"),
              "cloud.ply": ply(VERTICES + "property uchar other\nproperty float sigma\n", WITH_OTHER),
@@ -46,6 +47,10 @@ def test_columns(p):
     for i, arguments in enumerate(["named.txt", "named.csv", "cloud.pcd", "cloud.ply", "bare.xyz --columns 'x y z sigma'"]):
         check_tolerances(p, "sigma", EXPECTED, 24, f"{arguments} --tolerance-column sigma --labels {i}.labels")
         assert p.is_same("0.labels", f"{i}.labels")
+    # The same name, or else the first that differs in letters only
+    for name, factor in (("sigma", 2), (" SIG_ma", 1)):
+        check_tolerances(p, name, {limit: factor * x for limit, x in EXPECTED.items()}, 24,
+                         f"both.txt --tolerance-column '{name}'")
 
 
 def test_inputs_and_bounds(p):
@@ -67,7 +72,8 @@ def test_extra_bytes_of_las(p):
       "out.las --tolerance-column sigma")
 
 
-NO_NOISE = ("+", "0", "r - r", "1 2", "r^3", "r*r*r", "r^", "2*", "1e999", "(r)", "0,5", "nan", "a + b*r", "r^-1", "r/2", "2 r 3")
+NO_NOISE = ("+", "0", "r - r", "1 2", "r^3", "r*r*r", "r^", "2*", "1e999", "(r)", "0,5", "nan", "a + b*r", "r^-1",
+            "r/2", "2 r 3")
 test_options = cases([
     (0, "; ignored: 24 without a tolerance\n.*tolerances  0.003906 to 0.007812, by column sigma\n.*shapes +3 in",
      "cloud.ply --tolerance-column sigma"),
@@ -159,7 +165,8 @@ def as_degrees(points):
 
 def raster():
     i, j = (a.ravel() for a in np.mgrid[:80, :60])
-    return np.column_stack([694386 + i, 5155487.5 + j, 380 + .1 * i + .01 * np.random.default_rng(1).integers(100, size=len(i))])
+    return np.column_stack([694386 + i, 5155487.5 + j,
+                            380 + .1 * i + .01 * np.random.default_rng(1).integers(100, size=len(i))])
 
 
 # Clouds, the tolerance, and the one warning of the coordinates, if there is any
@@ -190,7 +197,8 @@ def test_coordinates(p, points, tolerance, pattern):
 
 
 def test_names_of_degrees(p):
-    p.write({"zero.xyz": "0 0 0\n" * 3, "named_degrees.csv": "lon,lat,height\n" + text_of(as_degrees(sensor_room(NEAR)), ",")})
+    p.write({"zero.xyz": "0 0 0\n" * 3,
+             "named_degrees.csv": "lon,lat,height\n" + text_of(as_degrees(sensor_room(NEAR)), ",")})
     p(1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")
     text = p(WARNS, "warning: named_degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so "
              "project", "named_degrees.csv --maximum-distance 0.1")

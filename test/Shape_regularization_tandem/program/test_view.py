@@ -113,6 +113,7 @@ def test_colors_and_names(p):
 
 
 test_bad_names = needs_page(cases([(code, pattern, f"cube.ply E {arguments}") for code, pattern, arguments in (
-    (1, "no/page.html: cannot be written", "--view no/page.html"), (1, "a folder.html: is a directory", "--view 'a folder.html'"),
+    (1, "no/page.html: cannot be written", "--view no/page.html"),
+    (1, "a folder.html: is a directory", "--view 'a folder.html'"),
     (2, "must end in .html or .htm", "--view cube.ply"), (2, "named twice", "--view same.html --labels same.html"),
     (1, "labels: cannot be written", "--view never.html --labels no/labels"))], absent=["never.html", "same.html"]))

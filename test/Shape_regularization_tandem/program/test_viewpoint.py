@@ -44,20 +44,15 @@ def check_sides(place, side, planes=(), points=()):
     assert len(heights) >= 3 and (np.array(heights) * side > 0).all()
 
 
-def check_turned(planes, expected):
-    assert len(planes) == 3 and all((a == b).all() or (a == -b).all() for a, b in zip(planes, expected))
-
-
 def groups(p, name):
     return [np.array(line.split()[1:5], float) for line in p.lines(name, "^group_parameters")]
 
 
 @table("cloud, side, place, arguments", [
-    ("bare", 1, (5, 6, 7), "bare.xyz --viewpoint 5,6,7"), ("bare", 1, (-2, -3, .5), "bare.xyz --viewpoint '-2, -3, .5'"),
-    ("bare", 1, (0, 6, 0), "bare.xyz --viewpoint=0,6,0"),
+    *(("bare", 1, place, "bare.xyz --viewpoint='{}, {}, {}'".format(*place))
+      for place in ((5, 6, 7), (-2, -3, .5), (0, 6, 0))),
     # Far away a step of float is half a unit.
-    ("far", 1, (4500001.25, 2, 2), "far.xyz --viewpoint 4500001.25,2,2"),
-    ("far", 1, (4500000.75, 2, 2), "far.xyz --viewpoint 4500000.75,2,2"),
+    *(("far", 1, (x, 2, 2), f"far.xyz --viewpoint {x},2,2") for x in (4500001.25, 4500000.75)),
     # Given normals have a side.
     ("outside", -1, (5, 6, 7), "outside.xyz"), ("outside", -1, (5, 6, 7), "outside.pcd"),
     ("bare", 1, (5, 6, 7), "outside.xyz --estimate-normals --viewpoint 5,6,7"),
@@ -67,9 +62,8 @@ def groups(p, name):
 def test_oriented(p, plain, cloud, side, place, arguments):
     found, planes = plain[cloud]
     p(0, found, f"{arguments} E --oriented --planes sided.planes --output sided.xyz --vg sided.vg")
-    check_sides(place, side, p.planes("sided.planes"), np.loadtxt(p.path("sided.xyz")))
-    check_sides(place, side, groups(p, "sided.vg"))
-    check_turned(p.planes("sided.planes"), planes)
+    check_sides(place, side, [*p.planes("sided.planes"), *groups(p, "sided.vg")], np.loadtxt(p.path("sided.xyz")))
+    assert all((a == b).all() or (a == -b).all() for a, b in zip(p.planes("sided.planes"), planes))
 
 
 @table("cloud, arguments", [("bare", "bare.xyz --viewpoint 5,6,7"), ("outside", "outside.xyz"), ("bare", "inside.pcd"),

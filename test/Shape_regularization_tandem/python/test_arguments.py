@@ -36,12 +36,9 @@ def test_other_layouts_and_types_have_the_same_result():
 def test_a_result_has_no_array_of_the_caller():
     points, normals = (array.copy() for array in room())
     for kind in (np.asarray, memoryview, np.ma.array, np.asfortranarray):
-        given = kind(normals)
-        shapes = tandem.detect_planes(points, given, maximum_distance=MAXIMUM_DISTANCE)
-        before = normals.copy()
+        shapes = tandem.detect_planes(points, kind(normals), maximum_distance=MAXIMUM_DISTANCE)
         normals[:] = points[:] = 0
-        assert np.array_equal(shapes.normals, before)
-        assert not np.shares_memory(shapes.normals, normals)
+        assert np.array_equal(shapes.normals, room()[1]) and not np.shares_memory(shapes.normals, normals)
         points[:], normals[:] = room()
         assert tandem.find_violation(points, shapes) is None
     assert normals.flags.writeable
@@ -75,15 +72,32 @@ def test_masked_numbers_are_not_finite():
         tandem.detect_planes(points, symmetry_direction=whole[0])
 
 
-def test_wrong_arrays():
+SWITCHES = ["regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity"]
+
+
+def test_refused():
     points, normals = room()
-    wrong_points = (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
-                    [[1, 2, 3], [4]])
-    wrong_normals = (normals[:-1], normals[:, :1], "xyz")
-    for name, values in [("points", p) for p in wrong_points] + [("normals", n) for n in wrong_normals]:
-        arguments = {"points": points, "normals": normals, name: values}
-        with pytest.raises(ValueError, match=f"^{name} must"):
-            tandem.detect_planes(**arguments)
+    n = len(points)
+    for name, what, values in (
+            ("points", "must",
+             (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
+                                [[1, 2, 3], [4]])),
+            ("normals", "must", (normals[:-1], normals[:, :1], "xyz")),
+            ("maximum_distance_map", "must", (np.ones(n - 1), np.ones((n, 1)), 0.03, "text", np.ones(n) > 0)),
+            ("maximum_distance", "is", (0, -1, np.nan)), ("maximum_angle", "is", (90,)), ("angle_tolerance", "is", (45,)),
+            ("maximum_offset", "is", (-1,)), ("minimum_region_size", "is", (2, -3, 10**30)), ("k_neighbors", "is", (0, 65)),
+            ("cell_size", "is", (1,)), ("threads", "is", (0, -1)), ("simplicity", "is", (-1, np.nan, 1e9)),
+            ("regularity", "is", (-1, np.nan, 1e9)), ("surfel_size", "is", (-1, 1)), ("backend", "is", ("fast", None)),
+            *((name, "(is|must be) ", (np.array([1, 2]),)) for name in [*SWITCHES, "backend"])):
+        for value in values:
+            with pytest.raises(ValueError, match=f"^{name} {what}"):
+                tandem.detect_planes(**{"points": points, name: value})
+    for name, value in (("maximum_distance", "1"), ("maximum_angle", [1]), ("minimum_region_size", 100.0),
+                        ("threads", "2"), ("progress", 3)):
+        with pytest.raises(TypeError, match=f"^{name} must be"):
+            tandem.detect_planes(points, **{name: value})
+    with pytest.raises(ValueError, match="extent"):
+        tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
 
 
 def test_few_points():
@@ -91,24 +105,6 @@ def test_few_points():
         shapes = tandem.detect_planes(np.zeros((n, 3)))
         assert (len(shapes), shapes.labels.shape, shapes.normals.shape) == (0, (n,), (n, 3))
         assert (shapes.planes.shape, shapes.orthogonal_pairs.shape) == ((0, 4), (0, 2))
-
-
-def test_wrong_maps():
-    points = room()[0]
-    for wrong in (np.ones(len(points) - 1), np.ones((len(points), 1)), 0.03, "text", np.ones(len(points)) > 0):
-        with pytest.raises(ValueError, match="^maximum_distance_map must"):
-            tandem.detect_planes(points, maximum_distance_map=wrong)
-
-
-def test_out_of_range():
-    for name, value in (
-        ("maximum_distance", 0), ("maximum_distance", -1), ("maximum_distance", np.nan), ("maximum_angle", 90),
-        ("angle_tolerance", 45), ("maximum_offset", -1), ("minimum_region_size", 2), ("minimum_region_size", -3),
-        ("minimum_region_size", 10**30), ("k_neighbors", 0), ("k_neighbors", 65), ("cell_size", 1), ("threads", 0),
-        ("simplicity", -1), ("simplicity", np.nan), ("simplicity", 1e9), ("regularity", -1), ("regularity", np.nan),
-        ("regularity", 1e9), ("surfel_size", -1), ("surfel_size", 1), ("threads", -1), ("backend", "fast"), ("backend", None)):
-        with pytest.raises(ValueError, match=f"^{name} is"):
-            tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
 
 def test_huge_numbers():
@@ -119,22 +115,6 @@ def test_huge_numbers():
             wrong = TypeError if name in counts and isinstance(value, Fraction) else ValueError
             with pytest.raises(wrong, match=f"^{name} (is|must be) "):
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
-
-
-def test_wrong_types():
-    for name, value in (("maximum_distance", "1"), ("maximum_angle", [1]), ("minimum_region_size", 100.0),
-                        ("threads", "2"), ("progress", 3)):
-        with pytest.raises(TypeError, match=f"^{name} must be"):
-            tandem.detect_planes(np.zeros((1, 3)), **{name: value})
-
-
-SWITCHES = ["regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity"]
-
-
-def test_arrays_in_place_of_values():
-    for name in [*SWITCHES, "backend"]:
-        with pytest.raises(ValueError, match=f"^{name} (is|must be) "):
-            tandem.detect_planes(np.zeros((1, 3)), **{name: np.array([1, 2])})
 
 
 def test_they_are_used():
@@ -153,20 +133,6 @@ def test_each_switch_is_used():
         given = {other: other != name for other in SWITCHES}
         parameters = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, **given).parameters
         assert {other: parameters[other] for other in SWITCHES} == given
-
-
-def test_estimates_are_those_of_a_detection():
-    points = room()[0]
-    shapes = tandem.detect_planes(points)
-    estimate = tandem.estimate_parameters(points)
-    assert estimate.maximum_distance == shapes.maximum_distance
-    assert estimate.maximum_offset == shapes.parameters["maximum_offset"]
-    assert estimate.minimum_region_size == shapes.minimum_region_size
-
-
-def test_too_large_an_extent():
-    with pytest.raises(ValueError, match="extent"):
-        tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
 
 
 # --- Tolerances of points
@@ -204,30 +170,10 @@ def test_one_that_is_not_positive_is_counted():
 
 
 def test_the_number_is_the_upper_bound():
-    points, normals = room()
-    wide = np.full(len(points), 10.0)
-    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE, maximum_distance_map=wide)
+    wide = np.full(len(room()[0]), 10.0)
+    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, maximum_distance_map=wide)
     assert shapes.maximum_distance == MAXIMUM_DISTANCE
     assert shapes.labels.tolist() == shapes_of_room().labels.tolist()
-
-
-def test_a_note_on_the_estimate():
-    random = np.random.default_rng(3)
-    points = random.random((20000, 3)) * 2
-    points[:, 2] = np.round(0.12 * points[:, 0] / 0.04) * 0.04
-    assert re.search(".* coordinates are in steps.*[.]$", tandem.detect_planes(points).statistics["estimate_note"])
-    assert tandem.detect_planes(points, maximum_distance=0.1).statistics["estimate_note"] == ""
-
-
-def test_local_distances():
-    points = room()[0].copy()
-    points[5] = np.nan
-    distances = tandem.estimate_local_distances(points)
-    assert (distances.shape, distances.dtype) == ((len(points),), np.float64)
-    assert (np.delete(distances, 5) > 0).all()
-    shapes = tandem.detect_planes(points, maximum_distance_map=distances)
-    assert tandem.find_violation(points, shapes) is None
-    assert shapes.statistics["number_of_ignored_coordinates"] == 1
 
 
 # --- Points at 0 0 0
@@ -249,10 +195,22 @@ def test_zeros_are_left_out():
     assert others.statistics["number_of_ignored_zeros"] == 0
 
 
-def test_estimates_of_the_others():
+def test_estimates():
+    """Those of a detection, with a note if there is reason; points at 0 0 0 do not count if they are ignored."""
     points = room()[0] + 1
-    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points, [[0.0] * 3] * 700])
-    assert tandem.estimate_parameters(with_zeros, ignore_zeros=True) == tandem.estimate_parameters(points)
+    shapes, estimate = tandem.detect_planes(points), tandem.estimate_parameters(points)
+    assert estimate.maximum_distance == shapes.maximum_distance
+    assert estimate.maximum_offset == shapes.parameters["maximum_offset"]
+    assert estimate.minimum_region_size == shapes.minimum_region_size
+    steps = np.random.default_rng(3).random((20000, 3)) * 2
+    steps[:, 2] = np.round(0.12 * steps[:, 0] / 0.04) * 0.04
+    assert re.search(".* coordinates are in steps.*[.]$", tandem.detect_planes(steps).statistics["estimate_note"])
+    assert tandem.detect_planes(steps, maximum_distance=0.1).statistics["estimate_note"] == ""
+    with_zeros = np.concatenate([[[0.0, -0.0, 0.0]] * 3, points, [[0.0] * 3] * 700, [[np.nan] * 3]])
+    assert tandem.estimate_parameters(with_zeros, ignore_zeros=True) == estimate
     distances = tandem.estimate_local_distances(with_zeros, ignore_zeros=True)
-    assert distances[3:-700].tobytes() == tandem.estimate_local_distances(points).tobytes()
-    assert np.isnan(np.concatenate([distances[:3], distances[-700:]])).all()
+    assert (distances.shape, distances.dtype) == ((len(with_zeros),), np.float64)
+    assert distances[3:-701].tobytes() == tandem.estimate_local_distances(points).tobytes()
+    assert np.isnan(np.concatenate([distances[:3], distances[-701:]])).all()
+    local = tandem.detect_planes(points, maximum_distance_map=distances[3:-701])
+    assert tandem.find_violation(points, local) is None

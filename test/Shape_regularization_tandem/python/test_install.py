@@ -15,7 +15,8 @@ assert len(tandem.detect_planes([[x, y, 0] for x in range(20) for y in range(20)
 
 @pytest.mark.skipif(not FOLDER, reason="the build installs nothing")
 def test_installed(tmp_path):
-    subprocess.run(["cmake", "--install", os.environ["TANDEM_BUILD"], "--component", "python", "--prefix", tmp_path], check=True)
+    subprocess.run(["cmake", "--install", os.environ["TANDEM_BUILD"], "--component", "python", "--prefix", tmp_path],
+                   check=True)
     subprocess.run([sys.executable, "-c", CHECK, tmp_path], check=True,
                    env={**os.environ, "PYTHONPATH": str(tmp_path / FOLDER), "PYTHONDONTWRITEBYTECODE": "1"})
     assert len([path for path in tmp_path.rglob("*") if path.is_file()]) == 6

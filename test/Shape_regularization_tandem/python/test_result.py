@@ -19,20 +19,13 @@ from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 def test_faces_and_relations():
     shapes = shapes_of_room()
     assert (len(shapes), shapes.planes.shape, shapes.maximum_distance) == (6, (6, 4), MAXIMUM_DISTANCE)
-    assert (shapes.labels >= 0).mean() > 0.9
-    assert len(set(shapes.parallel_groups.tolist())) == 3
-    assert sorted(shapes.coplanar_groups.tolist()) == list(range(6))
+    assert (shapes.labels >= 0).mean() > 0.9 and sorted(shapes.coplanar_groups.tolist()) == list(range(6))
     assert shapes.orthogonal_pairs.tolist() == [[0, 1], [0, 2], [1, 2]]
-
-
-def test_relations_are_exact():
-    shapes = shapes_of_room()
-    directions = {}
-    for plane, group in zip(shapes.planes, shapes.parallel_groups):
+    directions = {}  # they are exact
+    for plane, group in zip(shapes.planes, shapes.parallel_groups.tolist()):
         assert plane[:3].tobytes() == directions.setdefault(group, plane[:3]).tobytes()
-        assert np.linalg.norm(plane[:3]) == pytest.approx(1, rel=0, abs=5e-15)
-    for first, second in shapes.orthogonal_pairs:
-        assert abs(directions[first] @ directions[second]) <= 1e-15
+    normals = np.array([directions[group] for group in range(3)])
+    np.testing.assert_allclose(normals @ normals.T, np.eye(3), rtol=0, atol=5e-15)
 
 
 def test_statistics():
@@ -141,15 +134,15 @@ def test_they_outlive_the_result():
 
 
 def test_text():
-    assert re.search(r"^<tandem.PlanarShapes: 6 shapes, 3 directions, 6 planes, \d+ of 9150 points>$", repr(shapes_of_room()))
+    assert re.search(r"^<tandem.PlanarShapes: 6 shapes, 3 directions, 6 planes, \d+ of 9150 points>$",
+                     repr(shapes_of_room()))
     assert re.search(r"^\d+\.\d+\.\d+$", tandem.__version__)
     assert re.search(r"points +\(n, 3\) numbers", tandem.detect_planes.__doc__)
     assert "(m, 4) float64" in tandem.PlanarShapes.planes.__doc__
 
 
 def test_planes_of_another_detector():
-    points = room()[0]
-    labels = shapes_of_room().labels
+    points, labels = room()[0], shapes_of_room().labels
     planes = []
     for s in range(6):
         part = points[labels == s]
@@ -157,17 +150,12 @@ def test_planes_of_another_detector():
         planes.append([*normal, -normal @ part.mean(axis=0)])
     given = np.array(planes)
     relations = tandem.regularize_planes(points, labels, given, maximum_angle=5, maximum_offset=0.02)
-    assert given.tolist() == np.array(planes).tolist()
-    assert relations.is_changed.all() and not relations.is_rolled_back.any()
+    assert given.tolist() == planes and relations.is_changed.all() and not relations.is_rolled_back.any()
     assert len(set(relations.parallel_groups.tolist())) == 3
     assert relations.orthogonal_pairs.tolist() == [[0, 1], [0, 2], [1, 2]]
+    assert relations.angles.max() < 5 and relations.largest_distances.max() < 0.1 and relations.maximum_distance > 0
     apart = tandem.regularize_planes(points, labels, given, maximum_angle=5, maximum_offset=0.02, regularity=0)
     assert len(set(apart.parallel_groups.tolist())) == 6
-    normals = relations.planes[:, :3]
-    same = relations.parallel_groups[:, None] == relations.parallel_groups
-    dots = np.abs(normals @ normals.T)
-    assert np.abs(dots[same] - 1).max() < 1e-14 and dots[~same].max() <= 1e-15
-    assert relations.angles.max() < 5 and relations.largest_distances.max() < 0.1 and relations.maximum_distance > 0
 
 
 def test_masked_arguments():
@@ -195,25 +183,21 @@ def test_errors():
             tandem.regularize_planes(**arguments)
 
 
-def test_vertical():
-    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, fixed_directions=[(0, 0, 3)])
-    assert sorted(shapes.fixed_directions.tolist()) == [-1, -1, 0]
+def test_directions():
+    points, normals = room()
+    arguments = {"maximum_distance": MAXIMUM_DISTANCE, "fixed_directions": [(0, 0, 3)], "symmetry_direction": (0, 0, 1)}
+    shapes = tandem.detect_planes(points, normals, **arguments)
+    assert sorted(shapes.fixed_directions.tolist()) == [-1, -1, 0] and sorted(shapes.symmetry_groups.tolist()) == [0, 0, 1]
     horizontal = shapes.fixed_directions[shapes.parallel_groups] == 0
     assert np.abs(shapes.planes[horizontal, :3]).tolist() == [[0, 0, 1], [0, 0, 1]]
     assert np.abs(shapes.planes[~horizontal, 2]).max() <= 1e-15
-    assert shapes.symmetry_groups.tolist() == [-1, -1, -1]
-    assert shapes.parameters["fixed_directions"] == [(0, 0, 3)]
-    assert tandem.find_violation(room()[0], shapes) is None
-
-
-def test_axis_of_symmetry():
-    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(0, 0, 1))
-    assert sorted(shapes.symmetry_groups.tolist()) == [0, 0, 1]
-    assert shapes.parameters["symmetry_direction"] == (0, 0, 1)
+    assert {name: shapes.parameters[name] for name in arguments} == arguments
+    assert shapes_of_room().symmetry_groups.tolist() == shapes_of_room().fixed_directions.tolist() == [-1, -1, -1]
+    assert tandem.find_violation(points, shapes) is None
     with pytest.raises(ValueError, match="^symmetry_direction"):
-        tandem.detect_planes(room()[0], symmetry_direction=(0, 0))
+        tandem.detect_planes(points, symmetry_direction=(0, 0))
     with pytest.raises(ValueError, match=r"^fixed_directions\[0\] is \(0, 0, 0\)"):
-        tandem.detect_planes(room()[0], fixed_directions=np.zeros((1, 3)))
+        tandem.detect_planes(points, fixed_directions=np.zeros((1, 3)))
 
 
 # --- The table of the shapes, whose numbers are those of the program: test_programs.py
@@ -228,16 +212,12 @@ def test_columns():
     np.testing.assert_array_equal(table["coplanar_group"], shapes.coplanar_groups)
     np.testing.assert_array_equal(table["angle_deviation_deg"], shapes.uncertainties["angle_deg"])
     empty = tandem.detect_planes(np.zeros((0, 3)), maximum_distance=1).table()
+    upward = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(1, 0, 0)).table()
+    np.testing.assert_allclose(np.sort(upward["highest"]), [0] + 5 * [4], atol=0.05)
     assert {column.shape for column in table.values()} == {(6,)} and {column.shape for column in empty.values()} == {(0,)}
 
 
-def test_upward():
-    shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(1, 0, 0))
-    table = shapes.table()
-    np.testing.assert_allclose(np.sort(table["highest"]), [0] + 5 * [4], atol=0.05)
-
-
-def test_points_that_change():
+def test_points_are_kept_and_may_change():
     points = room()[0].copy()
     shapes = tandem.detect_planes(points, room()[1], maximum_distance=MAXIMUM_DISTANCE)
     first = shapes.table()
@@ -246,16 +226,10 @@ def test_points_that_change():
     points += 1
     with pytest.raises(ValueError, match="points were changed after the detection"):
         shapes.table()
-
-
-def test_points_are_kept():
-    points = room()[0].copy()
-    shapes = tandem.detect_planes(points, room()[1], maximum_distance=MAXIMUM_DISTANCE)
     alive = weakref.ref(points)
     del points
     gc.collect()
     assert alive() is not None
-    assert shapes.table()["points"].tolist() == shapes_of_room().table()["points"].tolist()
     del shapes
     gc.collect()
     assert alive() is None

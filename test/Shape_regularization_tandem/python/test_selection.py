@@ -50,22 +50,28 @@ def test_criteria():
 
 
 def test_errors():
-    shapes = shapes_of_room()
+    points, shapes = room()[0], shapes_of_room()
     for wrong, word in (([6], "no shape 6"), ([-1], "no shape -1"), ([1, 1], "twice"), ([True] * 5, "truth value"),
                         ([[1]], "list"), ([.5], "integers"), (2, "list")):
         with pytest.raises(ValueError, match=word):
             tandem.select_shapes(shapes, wrong)
-    for arguments, word in (({"largest": 0}, "largest"), ({"largest": -1}, "largest"), ({"near_angle": 91}, "near_angle"),
-                            ({"minimum_area": -1}, "minimum_area"), ({"minimum_extent": np.nan}, "minimum_extent"),
-                            ({"near_direction": (0, 0, 0)}, "near_direction"),
-                            ({"orthogonal_direction": (0, 1)}, "orthogonal_direction"),
-                            ({"indices": [0], "largest": 1}, "together")):
-        with pytest.raises(ValueError, match=word):
-            tandem.select_shapes(shapes, **arguments)
-    with pytest.raises(TypeError, match="shapes"):
-        tandem.select_shapes(shapes.labels, [0])
-    with pytest.raises(TypeError, match="largest"):
-        tandem.select_shapes(shapes, largest=1.5)
+    for function, given, wrong in (
+            (tandem.select_shapes, [],
+             {"largest": (0, -1), "near_angle": (91,), "minimum_area": (-1,), "minimum_extent": (np.nan,),
+                                        "near_direction": ((0, 0, 0),), "orthogonal_direction": ((0, 1),)}),
+            (tandem.label_points, [points], {"maximum_distance": (0,), "maximum_angle": (90,), "normals": (points[1:],),
+                                             "reach": (0, np.nan, -np.inf), "maximum_distance_map": ([1],)})):
+        for name, values in wrong.items():
+            for value in values:
+                with pytest.raises(ValueError, match=name):
+                    function(shapes, *given, **{name: value})
+    with pytest.raises(ValueError, match="together"):
+        tandem.select_shapes(shapes, indices=[0], largest=1)
+    for call, word in ((lambda: tandem.select_shapes(shapes.labels, [0]), "shapes"),
+                       (lambda: tandem.select_shapes(shapes, largest=1.5), "largest"),
+                       (lambda: tandem.label_points(None, points), "shapes")):
+        with pytest.raises(TypeError, match=word):
+            call()
 
 
 def test_thinned_cloud():
@@ -99,19 +105,6 @@ def test_reach():
     assert tandem.label_points(shapes, np.empty((0, 3))).tolist() == []
 
 
-def test_errors_of_labels():
-    points, _ = room()
-    shapes = shapes_of_room()
-    for arguments, word in (({"maximum_distance": 0}, "maximum_distance"), ({"maximum_angle": 90}, "maximum_angle"),
-                            ({"normals": points[1:]}, "normals"), ({"reach": 0}, "reach"), ({"reach": np.nan}, "reach"),
-                            ({"reach": -np.inf}, "reach"),
-                            ({"maximum_distance_map": [1]}, "maximum_distance_map")):
-        with pytest.raises(ValueError, match=word):
-            tandem.label_points(shapes, points, **arguments)
-    with pytest.raises(TypeError, match="shapes"):
-        tandem.label_points(None, points)
-
-
 def test_changed_points():
     points, normals = (np.array(array) for array in room())
     shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
@@ -119,4 +112,3 @@ def test_changed_points():
     with pytest.raises(ValueError, match="is not on the plane of its shape 0"):
         tandem.label_points(shapes, points)
     assert tandem.label_points(shapes, points, reach=np.inf).shape == (len(points),)
-
