@@ -15,10 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 
@@ -164,9 +161,6 @@ inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes,
   return {double(x[0]), double(x[1]), double(x[2])};
 }
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_PLANE_FRAME_H

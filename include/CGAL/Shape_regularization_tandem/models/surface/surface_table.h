@@ -23,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 // --- Walls that no point covers, as in airborne scans: where a shape ends with another one below its border, a wall is
 // assumed to go straight down from there.
@@ -271,9 +268,6 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   return result;
 }
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_SURFACE_TABLE_H
