@@ -37,9 +37,9 @@ Row row_of(const Made_up& m)
 // The text under a title, beside the reference.
 std::string shown(const Summary& summary, const Summary& reference, const std::string& title)
 {
-  const auto& all = shown_criteria();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Criterion& c) { return c.title == title; });
-  BOOST_REQUIRE(found != all.end());
+  const auto found = std::find_if(std::begin(shown_criteria), std::end(shown_criteria),
+                                  [&](const Criterion& c) { return c.title == title; });
+  BOOST_REQUIRE(found != std::end(shown_criteria));
   return marked(*found, summary, reference);
 }
 
