@@ -65,11 +65,7 @@ private:
     });
   }
 
-  Kernel::Vector_3 normal_of(std::size_t s) const
-  {
-    const Shapes::Coefficients& c = shapes.coefficients(s);
-    return Kernel::Vector_3(c[0], c[1], c[2]);
-  }
+  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.plane(s).orthogonal_vector(); }
 
   const Shapes& shapes;
   std::vector<int> representative; // a shape of each parallel group

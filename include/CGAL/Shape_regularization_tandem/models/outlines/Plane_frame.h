@@ -37,11 +37,11 @@ inline Kernel::Point_3 point_at(const Position& p) { return Kernel::Point_3(p[0]
 // are computed in space.
 class Plane_frame {
 public:
+  Plane_frame() = default;
   Plane_frame(const Shapes& shapes, std::size_t s, const Kernel::Point_3& origin) : origin(origin)
   {
-    const Shapes::Coefficients& c = shapes.coefficients(s);
-    const Kernel::Vector_3 normal(c[0], c[1], c[2]);
-    const std::size_t steepest = steepest_axis(c);
+    const Kernel::Vector_3 normal = shapes.plane(s).orthogonal_vector();
+    const std::size_t steepest = steepest_axis(shapes.coefficients(s));
     const Kernel::Vector_3 across =
       CGAL::cross_product(Kernel::Vector_3(steepest == 1, steepest == 2, steepest == 0), normal);
     first = across / std::sqrt(across.squared_length());
