@@ -15,35 +15,19 @@
 
 namespace CGAL::Tandem::benchmark {
 
-// Empty lines and those that begin with # are skipped.
-inline Ply_cloud read_text_cloud(const std::string& path)
-{
-  std::ifstream in(path);
-  if(!in)
-    throw std::runtime_error(path + ": cannot be opened");
-  Ply_cloud cloud;
-  cloud.is_double = true;
-  std::string line;
-  for(std::size_t at = 1; std::getline(in, line); ++at) {
-    std::istringstream words(line);
-    Vec p, n;
-    if(line.empty() || line[0] == '#')
-      continue;
-    if(!(words >> p.x >> p.y >> p.z))
-      throw std::runtime_error(path + ": line " + std::to_string(at) + " is no point");
-    cloud.points.push_back(p);
-    if(words >> n.x >> n.y >> n.z)
-      cloud.normals.push_back(n);
-  }
-  if(cloud.has_normals() && cloud.normals.size() != cloud.points.size())
-    throw std::runtime_error(path + ": not all points have a normal");
-  return cloud;
-}
-
 inline Ply_cloud read_cloud(const std::string& path)
 {
-  const bool is_ply = path.size() > 4 && path.substr(path.size() - 4) == ".ply";
-  return is_ply ? read_ply(path) : read_text_cloud(path);
+  if(path.size() > 4 && path.substr(path.size() - 4) == ".ply")
+    return read_ply(path);
+  std::ifstream in(path);
+  Ply_points points;
+  if(!in || !IO::read_XYZ(in, points))
+    throw std::runtime_error(path + ": cannot be read as lines of x y z or x y z nx ny nz");
+  Ply_cloud cloud = to_cloud(points);
+  for(const Vec& n : cloud.normals)
+    if(dot(n, n) == 0)
+      throw std::runtime_error(path + ": not all points have a normal");
+  return cloud;
 }
 
 // Numbered from 0 in the order of their first points; -1 for none. A negative label is none. Where no label is

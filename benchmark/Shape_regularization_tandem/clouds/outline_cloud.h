@@ -33,16 +33,6 @@ struct Cloud_with_shapes {
 
 constexpr const char* cloud_arguments = "CLOUD.ply DISTANCE ANGLE SIZE | house [POINTS [NOISE]]";
 
-inline Outline_cloud cloud_of(const std::vector<scenes::Vec>& points, const std::vector<scenes::Vec>& normals)
-{
-  Outline_cloud cloud;
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    const scenes::Vec &p = points[i], n = normals.empty() ? scenes::Vec{0, 0, 0} : normals[i];
-    cloud.emplace_back(Outline_kernel::Point_3(p.x, p.y, p.z), Outline_kernel::Vector_3(n.x, n.y, n.z));
-  }
-  return cloud;
-}
-
 inline Outline_shapes shapes_of(const Outline_cloud& cloud, bool has_normals, const Parameters& parameters)
 {
   const auto np = parameters::settings(parameters).point_map(Outline_point_map());
@@ -65,7 +55,7 @@ inline Cloud_with_shapes cloud_with_shapes(const std::vector<std::string>& argum
 {
   if(arguments.size() == 4) {
     const Ply_cloud input = read_ply(arguments[0]);
-    Outline_cloud cloud = cloud_of(input.points, input.normals);
+    Outline_cloud cloud = points_with_normals<Outline_kernel>(input.points, input.normals);
     const Parameters p = outline_parameters(std::stod(arguments[1]), std::stod(arguments[2]), std::stoul(arguments[3]));
     Outline_shapes shapes = shapes_of(cloud, input.has_normals(), p);
     return {std::move(cloud), std::move(shapes), {}};
@@ -76,7 +66,7 @@ inline Cloud_with_shapes cloud_with_shapes(const std::vector<std::string>& argum
   options.points = arguments.size() > 1 ? std::stoul(arguments[1]) : 100000;
   options.noise = arguments.size() > 2 ? std::stod(arguments[2]) : .0004;
   scenes::Scene scene = scenes::make_scene(scenes::make_house(), options);
-  Outline_cloud cloud = cloud_of(scene.points, scene.normals);
+  Outline_cloud cloud = points_with_normals<Outline_kernel>(scene.points, scene.normals);
   Outline_shapes shapes = shapes_of(cloud, true, outline_parameters(.03, 25, 100));
   return {std::move(cloud), std::move(shapes), std::move(scene)};
 }

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace CGAL::Tandem::benchmark {
 
@@ -48,6 +49,21 @@ inline Ply_cloud subset(const Ply_cloud& cloud, std::size_t count)
       result.color.push_back(cloud.color[i]);
     if(cloud.has_label())
       result.label.push_back(cloud.label[i]);
+  }
+  return result;
+}
+
+// As a range for the functions of the package; null normals where there are none.
+template <class Kernel>
+auto points_with_normals(const std::vector<Vec>& points, const std::vector<Vec>& normals)
+{
+  using Number = typename Kernel::FT;
+  std::vector<std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>> result;
+  result.reserve(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const Vec &p = points[i], n = normals.empty() ? Vec{0, 0, 0} : normals[i];
+    result.emplace_back(typename Kernel::Point_3(Number(p.x), Number(p.y), Number(p.z)),
+                        typename Kernel::Vector_3(Number(n.x), Number(n.y), Number(n.z)));
   }
   return result;
 }

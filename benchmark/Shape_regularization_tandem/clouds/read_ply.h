@@ -39,12 +39,8 @@ std::vector<std::int32_t> label_of(const Ply_points& points)
   return label;
 }
 
-inline Ply_cloud read_ply(const std::string& path)
+inline Ply_cloud to_cloud(const Ply_points& points)
 {
-  std::ifstream in(path, std::ios::binary);
-  Ply_points points;
-  if(!in || !IO::read_PLY(in, points))
-    throw std::runtime_error(path + ": cannot be read as a PLY file of points");
   Ply_cloud cloud;
   for(const auto& i : points) {
     const auto& p = points.point(i);
@@ -58,6 +54,15 @@ inline Ply_cloud read_ply(const std::string& path)
     label_of<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float, double>(
       points);
   return cloud;
+}
+
+inline Ply_cloud read_ply(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  Ply_points points;
+  if(!in || !IO::read_PLY(in, points))
+    throw std::runtime_error(path + ": cannot be read as a PLY file of points");
+  return to_cloud(points);
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -61,12 +61,21 @@ struct Contestant {
   std::string description; // in tables
   std::string base;        // the contestant whose result `step` continues, if any
   bool is_tandem = false;
-  bool is_parallel = false; // uses Task::threads
-  bool is_random = false;   // uses Task::seed
+  bool is_random = false; // uses Task::seed
 
   // Cloud, task, and the run of the base (an empty one if there is no base).
   std::function<Run(const Ply_cloud&, const Task&, const Run&)> step;
 };
+
+inline Contestant make_contestant(const std::string& name, const std::string& description,
+                                  Run (*step)(const Ply_cloud&, const Task&, const Run&))
+{
+  Contestant c;
+  c.name = name;
+  c.description = description;
+  c.step = step;
+  return c;
+}
 
 // All that are compiled in, each after its base. Throws std::invalid_argument for an unknown name.
 std::vector<Contestant> contestants();

@@ -293,17 +293,6 @@ Run regularize_step(const Ply_cloud& cloud, const Task& task, const Run& base)
   return finished(run, meter);
 }
 
-using Step = Run (*)(const Ply_cloud&, const Task&, const Run&);
-
-Contestant make(const std::string& name, const std::string& description, Step step)
-{
-  Contestant c;
-  c.name = name;
-  c.description = description;
-  c.step = step;
-  return c;
-}
-
 // A detector, followed by regularize_planes without and with its symmetry.
 void add_regularized(std::vector<Contestant>& list, Contestant base, const std::string& name)
 {
@@ -324,10 +313,10 @@ void add_regularized(std::vector<Contestant>& list, Contestant base, const std::
 std::vector<Contestant> cgal_contestants()
 {
   std::vector<Contestant> list;
-  list.push_back(make("growing", "region growing", growing_step<false>));
-  list.push_back(make("growing-cached", "region growing (cached)", growing_step<true>));
+  list.push_back(make_contestant("growing", "region growing", growing_step<false>));
+  list.push_back(make_contestant("growing-cached", "region growing (cached)", growing_step<true>));
   add_regularized(list, list.back(), "growing");
-  list.push_back(make("ransac", "Efficient RANSAC", ransac_step));
+  list.push_back(make_contestant("ransac", "Efficient RANSAC", ransac_step));
   list.back().is_random = true;
   add_regularized(list, list.back(), "ransac");
   return list;

@@ -110,14 +110,7 @@ Run pcl_step(const Ply_cloud& cloud, const Task& task, const Run&)
 
 } // namespace
 
-std::vector<Contestant> pcl_contestants()
-{
-  Contestant c;
-  c.name = "pcl-growing";
-  c.description = "PCL region growing";
-  c.step = pcl_step;
-  return {c};
-}
+std::vector<Contestant> pcl_contestants() { return {make_contestant("pcl-growing", "PCL region growing", pcl_step)}; }
 #else
 std::vector<Contestant> pcl_contestants() { return {}; }
 #endif

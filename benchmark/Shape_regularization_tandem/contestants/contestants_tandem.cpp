@@ -25,17 +25,6 @@ using Point_map = First_of_pair_property_map<Point_with_normal>;
 using Normal_map = Second_of_pair_property_map<Point_with_normal>;
 using Shapes = Planar_shapes_3<Kernel>;
 
-std::vector<Point_with_normal> range_of(const Ply_cloud& cloud)
-{
-  std::vector<Point_with_normal> range;
-  range.reserve(cloud.points.size());
-  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const Vec &p = cloud.points[i], n = cloud.has_normals() ? cloud.normals[i] : Vec{0, 0, 0};
-    range.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-  }
-  return range;
-}
-
 Parameters parameters_of(const Task& task)
 {
   Parameters p;
@@ -85,7 +74,7 @@ Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
   const std::size_t all = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, task.threads ? task.threads : all);
 #endif
-  const std::vector<Point_with_normal> range = range_of(cloud);
+  const auto range = points_with_normals<Kernel>(cloud.points, cloud.normals);
   const bool estimates = estimates_normals(cloud, task);
   if(std::is_same<Tag, Cuda_tag>::value)
     detect<Tag>(range, task, estimates); // the first call sets up the device, which is not the method's time
@@ -103,14 +92,10 @@ Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
 }
 
 template <class Tag>
-Contestant make(const std::string& name, const std::string& description, bool is_parallel)
+Contestant make_tandem(const std::string& name, const std::string& description)
 {
-  Contestant c;
-  c.name = name;
-  c.description = description;
+  Contestant c = make_contestant(name, description, detect_step<Tag>);
   c.is_tandem = true;
-  c.is_parallel = is_parallel;
-  c.step = detect_step<Tag>;
   return c;
 }
 
@@ -121,12 +106,12 @@ std::vector<Contestant> tandem_contestants()
 {
   std::vector<Contestant> list;
 #ifdef CGAL_TANDEM_USE_CUDA
-  list.push_back(make<Cuda_tag>("tandem-cuda", "Tandem, CUDA", false));
+  list.push_back(make_tandem<Cuda_tag>("tandem-cuda", "Tandem, CUDA"));
 #endif
 #ifdef CGAL_LINKED_WITH_TBB
-  list.push_back(make<Parallel_tag>("tandem", "Tandem", true));
+  list.push_back(make_tandem<Parallel_tag>("tandem", "Tandem"));
 #endif
-  list.push_back(make<Sequential_tag>("tandem-sequential", "Tandem, sequential", false));
+  list.push_back(make_tandem<Sequential_tag>("tandem-sequential", "Tandem, sequential"));
   return list;
 }
 

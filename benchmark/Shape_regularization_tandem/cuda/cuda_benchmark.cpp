@@ -11,6 +11,7 @@
 #include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
+#include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
@@ -33,12 +34,12 @@ Cloud scan(std::size_t points)
   const CGAL::Tandem::benchmark::Hall_scan hall;
   const std::size_t of_hall = (std::min)(points, points_of_hall);
   Cloud cloud(points);
-  CGAL::Tandem::benchmark::for_each_on_all_processors(of_hall, [&](std::size_t i) {
+  CGAL::Tandem::internal::for_each_in_parallel(of_hall, [&](std::size_t i) {
     const auto s = hall(i);
     cloud[i] = {Kernel::Point_3(float(s.position[0]), float(s.position[1]), float(s.position[2])),
                 Kernel::Vector_3(float(s.normal[0]), float(s.normal[1]), float(s.normal[2]))};
   });
-  CGAL::Tandem::benchmark::for_each_on_all_processors(points - of_hall, [&](std::size_t i) {
+  CGAL::Tandem::internal::for_each_in_parallel(points - of_hall, [&](std::size_t i) {
     const Point_with_normal& p = cloud[i % of_hall];
     const Kernel::Vector_3 shift(100 * float(1 + i / of_hall), 0, 0);
     cloud[of_hall + i] = {p.first + shift, p.second};
@@ -60,14 +61,11 @@ Job job_of_scan(std::size_t points)
 
 Job job_of_file(const std::string& path, double maximum_distance, std::size_t minimum_region_size, bool uses_normals)
 {
-  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::read_ply(path);
-  const bool has_normals = uses_normals && file.has_normals();
-  Job job = {Cloud(file.points.size()), maximum_distance, minimum_region_size, has_normals};
-  const auto to_vector = [](const auto& v) { return Kernel::Vector_3(float(v.x), float(v.y), float(v.z)); };
-  for(std::size_t i = 0; i < job.cloud.size(); ++i)
-    job.cloud[i] = {CGAL::ORIGIN + to_vector(file.points[i]),
-                    has_normals ? to_vector(file.normals[i]) : Kernel::Vector_3(0, 0, 0)};
-  return job;
+  CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::read_ply(path);
+  if(!uses_normals)
+    file.normals.clear();
+  return {CGAL::Tandem::benchmark::points_with_normals<Kernel>(file.points, file.normals), maximum_distance,
+          minimum_region_size, file.has_normals()};
 }
 
 template <class Tag, class NP>

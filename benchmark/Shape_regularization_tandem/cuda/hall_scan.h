@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <thread>
 #include <vector>
 
 namespace CGAL::Tandem::benchmark {
@@ -151,21 +150,6 @@ private:
   std::vector<Box> boxes_;
   double stations_[12][3];
 };
-
-// f(i) for i in [0, n), on all processors.
-template <class F>
-void for_each_on_all_processors(std::size_t n, F f)
-{
-  const std::size_t count = (std::max)(std::thread::hardware_concurrency(), 1u);
-  std::vector<std::thread> threads;
-  for(std::size_t t = 0; t < count; ++t)
-    threads.emplace_back([=] {
-      for(std::size_t i = n / count * t, end = t + 1 == count ? n : n / count * (t + 1); i < end; ++i)
-        f(i);
-    });
-  for(std::thread& thread : threads)
-    thread.join();
-}
 
 } // namespace CGAL::Tandem::benchmark
 

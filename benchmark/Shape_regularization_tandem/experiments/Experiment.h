@@ -32,10 +32,7 @@ struct Experiment {
 // All contestants on clouds: prints the tables, and writes results.csv (compare.cpp).
 void run_compare(const Experiment_options& options);
 
-// How time and memory grow (experiment_scaling.cpp).
-void run_scaling(const Experiment_options& options);
-
-// These two, and the experiments of the paper (experiments.cpp). Each writes NAME.csv to the folder of the output. All
+// This one, and the experiments of the paper (experiments.cpp). Each writes NAME.csv to the folder of the output. All
 // are deterministic but for the times.
 std::vector<Experiment> experiments();
 

@@ -115,46 +115,35 @@ private:
   std::vector<Entry> entries_;
 };
 
-class Comparer {
-public:
-  explicit Comparer(const Experiment_options& options) : options_(options) {}
+// Adds a row for each run, and writes what is there so far, should something end the program.
+void compare(const Experiment_options& options, const Named_cloud& named, const std::vector<std::string>& names,
+             std::vector<Row>& rows)
+{
+  Comparison comparison(options, named, chosen(options, names));
+  comparison.measure();
+  const std::vector<Row> added = comparison.rows();
+  print_table(summaries(added));
+  rows.insert(rows.end(), added.begin(), added.end());
+  write_csv(options.output + "/results.csv", rows);
+}
 
-  void compare(Named_cloud named)
-  {
-    const Task& t = named.task;
-    std::printf(
-      "\n%s: %s\n%zu points, epsilon %g, alpha %g degrees, at least %zu points, k %u; the same normals for all\n",
-      named.name.c_str(), named.origin.c_str(), named.cloud.points.size(), t.maximum_distance, t.maximum_angle_deg,
-      t.minimum_region_size, t.k_neighbors);
-    std::fflush(stdout);
-    run(options_, named, {});
+void compare(const Experiment_options& options, Named_cloud named, std::vector<Row>& rows)
+{
+  const Task& t = named.task;
+  std::printf(
+    "\n%s: %s\n%zu points, epsilon %g, alpha %g degrees, at least %zu points, k %u; the same normals for all\n",
+    named.name.c_str(), named.origin.c_str(), named.cloud.points.size(), t.maximum_distance, t.maximum_angle_deg,
+    t.minimum_region_size, t.k_neighbors);
+  std::fflush(stdout);
+  compare(options, named, {}, rows);
 
-    // Each with the normals that it estimates itself: peers by PCA of 20 neighbors.
-    std::printf("%s, each with its own normals\n", named.name.c_str());
-    named.task.estimates_normals = true;
-    Experiment_options once = options_;
-    once.repeats = 1;
-    run(once, named, {"tandem", "growing-cached", "growing+regularize", "ransac", "pcl-growing"});
-  }
-
-  void write() const { write_csv(options_.output + "/results.csv", rows_); }
-
-  const std::vector<Row>& rows() const { return rows_; }
-
-private:
-  void run(const Experiment_options& options, const Named_cloud& named, const std::vector<std::string>& names)
-  {
-    Comparison comparison(options, named, chosen(options, names));
-    comparison.measure();
-    const std::vector<Row> rows = comparison.rows();
-    print_table(summaries(rows));
-    rows_.insert(rows_.end(), rows.begin(), rows.end());
-    write(); // what is there so far, should something end the program
-  }
-
-  Experiment_options options_;
-  std::vector<Row> rows_; // a row for each run
-};
+  // Each with the normals that it estimates itself: peers by PCA of 20 neighbors.
+  std::printf("%s, each with its own normals\n", named.name.c_str());
+  named.task.estimates_normals = true;
+  Experiment_options once = options;
+  once.repeats = 1;
+  compare(once, named, {"tandem", "growing-cached", "growing+regularize", "ransac", "pcl-growing"}, rows);
+}
 
 // What is guaranteed: each run finishes, its points are within the tolerances, and runs and back ends give the same.
 std::string complaint(const std::vector<Row>& rows)
@@ -197,16 +186,16 @@ std::vector<Row> chosen_clouds(const Experiment_options& options)
 
 void run_compare(const Experiment_options& options)
 {
-  Comparer comparer(options);
+  std::vector<Row> rows;
   const std::vector<std::string>& arguments = options.arguments;
   if(!arguments.empty() && arguments[0].find('.') != std::string::npos)
-    comparer.compare(load_own_cloud(arguments));
+    compare(options, load_own_cloud(arguments), rows);
   else
     for(const Row& row : chosen_clouds(options))
-      comparer.compare(load_cloud(row, options));
+      compare(options, load_cloud(row, options), rows);
   print_legend();
-  comparer.write();
-  const std::string wrong = complaint(comparer.rows());
+  write_csv(options.output + "/results.csv", rows);
+  const std::string wrong = complaint(rows);
   if(!wrong.empty())
     throw std::runtime_error("Tandem failed on " + wrong);
 }

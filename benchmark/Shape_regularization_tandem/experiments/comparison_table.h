@@ -25,26 +25,22 @@ struct Criterion {
 };
 
 // What is shown of each method. Shapes, directions and planes enter the complexity.
-inline const std::vector<Criterion>& shown_criteria()
-{
-  static const std::vector<Criterion> criteria = {{"seconds", "seconds", 1, 2, Better::lower},
-                                                  {"CPU s", "user_seconds", 1, 2, Better::lower},
-                                                  {"B/point", "bytes_per_point", 1, 0, Better::lower},
-                                                  {"shapes", "shapes", 1, 0, Better::neither},
-                                                  {"direc.", "directions_relaxed", 1, 0, Better::neither},
-                                                  {"planes", "planes_relaxed", 1, 0, Better::neither},
-                                                  {"cpx", "complexity_relaxed", 1, 3, Better::lower},
-                                                  {"cover.%", "coverage", 100, 1, Better::higher},
-                                                  {"S", "score_of_point", 1, 3, Better::higher},
-                                                  {"mean/e", "mean_distance_in_epsilons", 1, 3, Better::lower},
-                                                  {"max/e", "max_distance_in_epsilons", 1, 1, Better::lower},
-                                                  {">eps", "beyond_epsilon", 1, 0, Better::lower},
-                                                  {">alpha", "beyond_alpha", 1, 0, Better::lower},
-                                                  {"F1", "face_f1_50", 1, 3, Better::higher},
-                                                  {"prec.", "point_precision", 1, 3, Better::higher},
-                                                  {"again%", "points_relabeled", 100, 1, Better::lower}};
-  return criteria;
-}
+inline const Criterion shown_criteria[] = {{"seconds", "seconds", 1, 2, Better::lower},
+                                           {"CPU s", "user_seconds", 1, 2, Better::lower},
+                                           {"B/point", "bytes_per_point", 1, 0, Better::lower},
+                                           {"shapes", "shapes", 1, 0, Better::neither},
+                                           {"direc.", "directions_relaxed", 1, 0, Better::neither},
+                                           {"planes", "planes_relaxed", 1, 0, Better::neither},
+                                           {"cpx", "complexity_relaxed", 1, 3, Better::lower},
+                                           {"cover.%", "coverage", 100, 1, Better::higher},
+                                           {"S", "score_of_point", 1, 3, Better::higher},
+                                           {"mean/e", "mean_distance_in_epsilons", 1, 3, Better::lower},
+                                           {"max/e", "max_distance_in_epsilons", 1, 1, Better::lower},
+                                           {">eps", "beyond_epsilon", 1, 0, Better::lower},
+                                           {">alpha", "beyond_alpha", 1, 0, Better::lower},
+                                           {"F1", "face_f1_50", 1, 3, Better::higher},
+                                           {"prec.", "point_precision", 1, 3, Better::higher},
+                                           {"again%", "points_relabeled", 100, 1, Better::lower}};
 
 // The runs of one method on one cloud: their median, column by column, and whether any differ.
 class Summary {
@@ -141,7 +137,7 @@ inline void print_summary(const Summary& summary, const Summary& reference)
     std::printf(" did not finish: %s\n", cell(summary.first(), "error").c_str());
     return;
   }
-  for(const Criterion& c : shown_criteria()) {
+  for(const Criterion& c : shown_criteria) {
     const std::string text = marked(c, summary, reference);
     std::printf(text.back() == '*' ? "%8s" : "%7s ", text.c_str());
   }
@@ -152,7 +148,7 @@ inline void print_summary(const Summary& summary, const Summary& reference)
 inline void print_table(const std::vector<Summary>& all)
 {
   std::printf("%-64s", "");
-  for(const Criterion& c : shown_criteria())
+  for(const Criterion& c : shown_criteria)
     std::printf("%7s ", c.title);
   std::printf("\n");
   for(const Summary& summary : all)

@@ -1,13 +1,91 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The experiments of the paper, and the labels of all detectors.
+// The experiments of the paper, the labels of all detectors, and how time and memory grow.
 
-#include "Trials.h"
+#include "Experiment.h"
+#include "clouds/named_clouds.h"
+#include "criteria/judgement.h"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
 
 namespace CGAL::Tandem::benchmark {
 
 namespace {
+
+// --- What the experiments share: runs that become rows.
+
+void print(const Row& row, const Row& columns)
+{
+  std::string step = cell(row, "cloud") + (cell(row, "normals") == "own" ? " (own normals)" : "");
+  for(const auto& column : columns)
+    step += " " + column.second;
+  auto get = [&](const char* column) { return cell(row, column); };
+  if(get("finished") != "true")
+    std::printf("%-28.28s %-38.38s failed: %s\n", step.c_str(), get("method").c_str(), get("error").c_str());
+  else
+    std::printf("%-28.28s %-38.38s %8.7s %8.5s %7s %6s %7s %7.6s %6.5s\n", step.c_str(), get("method").c_str(),
+                get("seconds").c_str(), get("coverage").c_str(), get("shapes").c_str(),
+                get("directions_relaxed").c_str(), get("planes_relaxed").c_str(), get("complexity_relaxed").c_str(),
+                get("face_f1_50").c_str());
+  std::fflush(stdout);
+}
+
+struct Trial {
+  std::string contestant;
+  Row columns;             // the step of the experiment
+  std::string method = ""; // its name in the table; by default as the contestant describes itself
+};
+
+// The runs of an experiment, printed as they are done and kept as rows.
+class Trials {
+public:
+  Trials(const Experiment_options& options, const std::string& name) : options_(options), name_(name)
+  {
+    std::printf("\n%s\n%-28s %-38s %8s %8s %7s %6s %7s %7s %6s\n", name.c_str(), "cloud and step", "method", "seconds",
+                "coverage", "shapes", "direct", "planes", "complex", "F1");
+  }
+
+  // One run. The row that was added; the run may have failed.
+  const Row& add(const Named_cloud& c, const Task& task, const Trial& trial)
+  {
+    const Contestant who = contestant(trial.contestant);
+    const Run run = benchmark::run(who, c.cloud, task);
+    Row row = trial.columns;
+    append_cell(row, "contestant", who.name);
+    append_cell(row, "method", trial.method.empty() ? who.description : trial.method);
+    append_task(row, c.name, c.cloud.points.size(), task);
+    append_run(row, run);
+    if(run.finished)
+      append_judgement(row, c, task, neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance), run);
+    rows_.push_back(row);
+    print(row, trial.columns);
+    return rows_.back();
+  }
+
+  const std::vector<Row>& rows() const { return rows_; }
+
+  // In the folder of the output: the name of the experiment with a suffix.
+  std::string path(const std::string& suffix) const { return options_.output + "/" + name_ + suffix; }
+
+  // The rows so far, to NAME.csv: called now and then, so that an interrupted experiment leaves what it has.
+  void write() const { write_csv(path(".csv"), rows_); }
+
+private:
+  const Experiment_options& options_;
+  std::string name_;
+  std::vector<Row> rows_;
+};
+
+// Those that the user has named, or the usual ones.
+std::vector<std::string> methods(const Experiment_options& options, const std::vector<std::string>& usual)
+{
+  return options.contestants.empty() ? usual : options.contestants;
+}
+
+// --- The experiments of the paper
 
 std::vector<std::string> regularized_methods(const Experiment_options& options)
 {
@@ -224,6 +302,129 @@ void run_table1(const Experiment_options& options)
     }
     trials.write();
   }
+}
+
+// --- Time and memory over points and threads, on scans of one house that
+// differ in density only: the same faces, with more points on each.
+
+// A contestant that took longer, in processor seconds, does not get the next larger cloud.
+double patience(const Experiment_options& options) { return options.is_quick ? 2 : 40; }
+
+// The exponent of a power law, by least squares of the logarithms.
+double exponent(const std::map<double, double>& values)
+{
+  double n = double(values.size()), x = 0, y = 0, xx = 0, xy = 0;
+  for(const auto& value : values) {
+    double lx = std::log(value.first), ly = std::log(value.second);
+    x += lx;
+    y += ly;
+    xx += lx * lx;
+    xy += lx * ly;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+class Scaling {
+public:
+  explicit Scaling(const Experiment_options& options) : options_(options), trials_(options, "scaling") {}
+
+  void over_points()
+  {
+    std::vector<std::size_t> sizes = {100000, 316000, 1000000, 3160000, 10000000};
+    if(options_.is_quick)
+      sizes = {20000, 60000, 180000};
+    std::vector<std::string> names = methods(options_, usual());
+    for(std::size_t size : sizes) {
+      Named_cloud c = house_scan(size);
+      std::vector<std::string> patient;
+      for(const std::string& name : names)
+        if(add(c, "points", double(size), name, c.task) < patience(options_))
+          patient.push_back(name);
+      names = patient;
+    }
+    finish("points");
+  }
+
+  void over_threads()
+  {
+    Named_cloud c = house_scan(options_.is_quick ? 100000 : 1000000);
+    const unsigned all = number_of_processors();
+    for(unsigned threads = 1; threads <= all; threads = threads < all ? (std::min)(2 * threads, all) : all + 1) {
+      Task task = c.task;
+      task.threads = threads;
+      add(c, "threads", threads, "tandem", task);
+    }
+    finish("threads");
+  }
+
+private:
+  static std::vector<std::string> usual()
+  {
+    std::vector<std::string> names = {"tandem", "tandem-sequential", "growing-cached", "growing", "ransac"};
+    for(const Contestant& c : contestants())
+      if(c.name == "pcl-growing")
+        names.push_back(c.name);
+    return names;
+  }
+
+  // The processor seconds of the fastest run; for ever, if one failed.
+  double add(const Named_cloud& c, const std::string& sweep, double value, const std::string& name, const Task& task)
+  {
+    double fastest = 1e300;
+    for(unsigned repeat = 0; repeat < (options_.is_quick ? 1 : options_.repeats); ++repeat) {
+      Row columns;
+      append_cell(columns, "sweep", sweep);
+      append_cell(columns, "value", value);
+      const Row& row = trials_.add(c, task, {name, columns});
+      if(cell(row, "finished") != "true")
+        return 1e300;
+      fastest = (std::min)(fastest, std::atof(cell(row, "user_seconds").c_str()));
+      if(fastest > 10)
+        break;
+    }
+    return fastest;
+  }
+
+  // Writes the rows, and the exponents of the sweep.
+  void finish(const std::string& sweep)
+  {
+    for(const char* quantity : {"seconds", "user_seconds", "peak_mib"})
+      for(const auto& [method, values] : least_values(sweep, quantity)) {
+        if(values.size() < 2)
+          continue;
+        const double value = exponent(values);
+        std::printf("%-32s %-10s ~ %s^%.2f\n", method.c_str(), quantity, sweep.c_str(), value);
+        exponents_.push_back({{"method", method}, {"quantity", quantity}, {"over", sweep}});
+        append_cell(exponents_.back(), "exponent", value);
+      }
+    trials_.write();
+    write_csv(trials_.path("-exponents.csv"), exponents_);
+  }
+
+  // By method and value of the sweep: the least over the repeats, since errors of times are positive.
+  std::map<std::string, std::map<double, double>> least_values(const std::string& sweep, const char* quantity) const
+  {
+    std::map<std::string, std::map<double, double>> least;
+    for(const Row& row : trials_.rows()) {
+      const double y = std::atof(cell(row, quantity).c_str());
+      if(cell(row, "sweep") != sweep || !(y > 0))
+        continue;
+      const auto entry = least[cell(row, "method")].emplace(std::atof(cell(row, "value").c_str()), y).first;
+      entry->second = (std::min)(entry->second, y);
+    }
+    return least;
+  }
+
+  const Experiment_options& options_;
+  Trials trials_;
+  std::vector<Row> exponents_;
+};
+
+void run_scaling(const Experiment_options& options)
+{
+  Scaling scaling(options);
+  scaling.over_points();
+  scaling.over_threads();
 }
 
 } // namespace

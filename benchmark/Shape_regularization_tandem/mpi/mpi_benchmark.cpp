@@ -75,25 +75,40 @@ struct Row {
   CGAL::Tandem::Statistics statistics;
 };
 
-template <class Traits, class NP, class Bytes>
-Row detect(const Job& job, const NP& np, const Traits& traits, Bytes bytes_sent)
+template <class Tag>
+using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, Tag>;
+
+template <class Tag>
+double bytes_sent(const Traits<Tag>&)
+{
+  return 0;
+}
+
+template <class Tag>
+double bytes_sent(const Traits<CGAL::Tandem::Mpi_tag<Tag>>& traits)
+{
+  return double(traits.backend().communicator().bytes_sent());
+}
+
+template <class Tag, class NP>
+Row detect(const Job& job, const NP& np, const Traits<Tag>& traits)
 {
   Row row;
   Stage stage = Stage::sort;
-  double sent = bytes_sent();
+  double sent = bytes_sent(traits);
   const auto count = [&](double share) {
-    row.sent[std::size_t(stage)] += bytes_sent() - sent;
-    sent = bytes_sent();
+    row.sent[std::size_t(stage)] += bytes_sent(traits) - sent;
+    sent = bytes_sent(traits);
     stage = CGAL::Tandem::stage_at(share);
     return true;
   };
   const auto start = std::chrono::steady_clock::now();
-  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(job.cloud, np.callback(CGAL::Tandem::Callback(count)),
-                                                           traits);
+  CGAL::Tandem::Planar_shape_detection_3<Traits<Tag>> detection(job.cloud, np.callback(CGAL::Tandem::Callback(count)),
+                                                                traits);
   detection.detect();
   const auto shapes = detection.shapes();
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  row.sent[number_of_stages - 1] += bytes_sent() - sent;
+  row.sent[number_of_stages - 1] += bytes_sent(traits) - sent;
   row.memory = double(CGAL::Tandem::benchmark::status_bytes("VmHWM")) - job.before;
   row.hash = hash_of_labels(shapes, job.cloud.size(), job.first);
   row.statistics = shapes.statistics();
@@ -114,19 +129,17 @@ void print(const Row& row, int ranks, const std::string& backend)
             << row.hash << std::dec << std::endl;
 }
 
-// bytes_sent: from the traits.
-template <class Tag, class Bytes>
-void run_with(const Job& job, const boost::mpi::communicator& world, Bytes bytes_sent)
+template <class Tag>
+void run_with(const Job& job, const boost::mpi::communicator& world)
 {
-  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, Tag>;
-  const Traits traits;
+  const Traits<Tag> traits;
   const auto np = CGAL::Tandem::parameters::point_map(Point_map())
                     .normal_map(Normal_map())
                     .maximum_distance(.012)
                     .minimum_region_size(job.minimum_region_size);
   for(int run = 0; run < job.runs; ++run) {
     world.barrier();
-    Row row = detect(job, np, traits, [&] { return double(bytes_sent(traits)); });
+    Row row = detect<Tag>(job, np, traits);
     MPI_Allreduce(MPI_IN_PLACE, &row.wall, 2, MPI_DOUBLE, MPI_MAX, world);
     MPI_Allreduce(MPI_IN_PLACE, row.sent.data(), int(row.sent.size()), MPI_DOUBLE, MPI_SUM, world);
     MPI_Allreduce(MPI_IN_PLACE, &row.hash, 1, MPI_UINT64_T, MPI_SUM, world);
@@ -135,37 +148,24 @@ void run_with(const Job& job, const boost::mpi::communicator& world, Bytes bytes
   }
 }
 
-template <class Tag>
-void run_ranks(const Job& job, const boost::mpi::communicator& world)
-{
-  run_with<CGAL::Tandem::Mpi_tag<Tag>>(job, world,
-                                       [](const auto& traits) { return traits.backend().communicator().bytes_sent(); });
-}
-
-template <class Tag>
-void run_alone(const Job& job, const boost::mpi::communicator& world)
-{
-  run_with<Tag>(job, world, [](const auto&) { return 0; });
-}
-
 // Whether there is such a back end.
 bool run(const Job& job, const boost::mpi::communicator& world)
 {
   const std::string& b = job.backend;
   const bool is_alone = world.size() == 1;
   if(b == "mpi")
-    run_ranks<CGAL::Sequential_tag>(job, world);
+    run_with<CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>(job, world);
   else if(b == "mpi-parallel")
-    run_ranks<CGAL::Parallel_if_available_tag>(job, world);
+    run_with<CGAL::Tandem::Mpi_tag<CGAL::Parallel_if_available_tag>>(job, world);
   else if(b == "sequential" && is_alone)
-    run_alone<CGAL::Sequential_tag>(job, world);
+    run_with<CGAL::Sequential_tag>(job, world);
   else if(b == "parallel" && is_alone)
-    run_alone<CGAL::Parallel_if_available_tag>(job, world);
+    run_with<CGAL::Parallel_if_available_tag>(job, world);
 #ifdef CGAL_TANDEM_USE_MPI_CUDA
   else if(b == "mpi-cuda")
-    run_ranks<CGAL::Tandem::Cuda_tag>(job, world);
+    run_with<CGAL::Tandem::Mpi_tag<CGAL::Tandem::Cuda_tag>>(job, world);
   else if(b == "cuda" && is_alone)
-    run_alone<CGAL::Tandem::Cuda_tag>(job, world);
+    run_with<CGAL::Tandem::Cuda_tag>(job, world);
 #endif
   else
     return false;

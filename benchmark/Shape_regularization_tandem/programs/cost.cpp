@@ -87,11 +87,7 @@ static void count(const std::vector<Point_with_normal>& points, const NP& np)
 
 static void run(const Ply_cloud& cloud, double maximum_distance, std::size_t minimum_region_size)
 {
-  std::vector<Point_with_normal> points;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const scenes::Vec p = cloud.points[i], n = cloud.has_normals() ? cloud.normals[i] : scenes::Vec();
-    points.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-  }
+  const auto points = CGAL::Tandem::benchmark::points_with_normals<Kernel>(cloud.points, cloud.normals);
   const auto np = CGAL::Tandem::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
                     .maximum_distance(maximum_distance)
                     .minimum_region_size(minimum_region_size);

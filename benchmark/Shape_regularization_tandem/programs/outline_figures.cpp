@@ -9,13 +9,14 @@
 
 #include "clouds/outline_cloud.h"
 #include "criteria/contour_regularization.h"
+#include "testing/measure.h"
 
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -213,9 +214,9 @@ using CGAL::Tandem::internal::outlines::outline_table;
 template <class Make>
 Outline_areas measure(const std::string& name, const Cloud_with_shapes& input, Make make)
 {
-  const auto start = std::chrono::steady_clock::now();
+  Meter meter;
   Outline_areas areas = make();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = meter.lap();
   print(name, figures_of(input.cloud, input.shapes, areas), seconds);
   if(!input.scene.points.empty()) {
     const Area_errors errors = errors_of(scenes::make_house(), input.scene, input.shapes, areas);

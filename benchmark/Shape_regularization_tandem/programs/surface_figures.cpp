@@ -6,6 +6,7 @@
 //   surface_figures house [POINTS [NOISE, a share of the diagonal]]
 
 #include "clouds/outline_cloud.h"
+#include "testing/measure.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
@@ -21,7 +22,6 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -62,10 +62,10 @@ void print(const Surface& surface, const Cloud_with_shapes& input, double second
 int main(int argc, char** argv)
 try {
   const Cloud_with_shapes input = cloud_with_shapes(std::vector<std::string>(argv + 1, argv + argc));
-  const auto start = std::chrono::steady_clock::now();
+  Meter meter;
   const Surface surface =
     CGAL::Tandem::closed_surface(input.shapes, input.cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = meter.lap();
   if(surface.is_empty())
     std::cout << "no volume is enclosed\n";
   else

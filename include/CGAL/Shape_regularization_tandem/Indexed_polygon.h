@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -29,7 +28,6 @@ struct Indexed_polygon {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INDEXED_POLYGON_H

@@ -21,8 +21,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 namespace internal {
 
 inline double seconds_since(std::chrono::steady_clock::time_point start)
@@ -203,7 +202,6 @@ private:
   std::unique_ptr<internal::Detection_engine> engine_;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -247,7 +246,6 @@ private:
   Point_groups points_;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H

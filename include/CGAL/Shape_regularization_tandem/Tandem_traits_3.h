@@ -11,8 +11,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemTraits
@@ -82,7 +81,6 @@ private:
   Execution execution_;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H

@@ -14,8 +14,7 @@
 #include <string>
 #include <tuple>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -151,7 +150,6 @@ auto add_shape_property(CGAL::Point_set_3<Point, Vector>& points, const Planar_s
   return map;
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_ADAPTERS_H

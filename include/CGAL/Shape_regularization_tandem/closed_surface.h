@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -117,7 +116,6 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   return result;
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_CLOSED_SURFACE_H

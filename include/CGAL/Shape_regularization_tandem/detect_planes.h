@@ -7,8 +7,7 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -160,7 +159,6 @@ auto detect_planes(const PointRange& points, const NamedParameters& np = NamedPa
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_DETECT_PLANES_H

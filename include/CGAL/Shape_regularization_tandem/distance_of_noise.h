@@ -6,8 +6,7 @@
 
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -21,7 +20,6 @@ It is in the header `CGAL/Shape_regularization_tandem/distance_of_noise.h`, whic
 */
 inline double distance_of_noise(double noise) { return internal::tuning::estimation::distance_per_noise * noise; }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_DISTANCE_OF_NOISE_H

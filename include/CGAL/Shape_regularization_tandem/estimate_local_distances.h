@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -44,7 +43,6 @@ std::vector<double> estimate_local_distances(const PointRange& points, const Nam
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_LOCAL_DISTANCES_H

@@ -8,8 +8,7 @@
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -34,7 +33,6 @@ double estimate_noise(const PointRange& points, const NamedParameters& np = Name
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_NOISE_H

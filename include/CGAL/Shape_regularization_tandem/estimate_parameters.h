@@ -10,8 +10,7 @@
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -57,7 +56,6 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H

@@ -9,8 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -56,7 +55,6 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H

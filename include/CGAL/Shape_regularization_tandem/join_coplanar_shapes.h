@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -73,7 +72,6 @@ Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTrait
   return Planar_shapes_3<GeomTraits>(std::move(data));
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H

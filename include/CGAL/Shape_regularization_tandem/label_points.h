@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -196,7 +195,6 @@ std::vector<std::int32_t> label_points(const Planar_shapes_3<GeomTraits>& shapes
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_LABEL_POINTS_H

@@ -15,8 +15,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -71,7 +70,6 @@ auto together(const boost::mpi::communicator& communicator, Function f)
   return internal::Communicator(communicator).together(f);
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MPI_H

@@ -11,8 +11,7 @@
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -63,7 +62,6 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
   return Shape_polygons_3<GeomTraits>(internal::outlines::outline_table(coordinates, data));
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_POLYGONS_H

@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -256,7 +255,6 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   return Plane_relations();
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H

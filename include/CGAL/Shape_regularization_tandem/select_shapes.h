@@ -20,8 +20,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -205,7 +204,6 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
   return select_shapes(shapes, kept);
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_SELECT_SHAPES_H

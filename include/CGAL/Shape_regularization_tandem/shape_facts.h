@@ -18,10 +18,8 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace facts {
+namespace CGAL::Tandem {
+namespace internal::facts {
 
 // With the areas that areas_of(coordinates) returns.
 template <class GeomTraits, class PointRange, class NP, class Areas>
@@ -39,8 +37,7 @@ std::vector<Shape_facts> facts_with_areas(const Planar_shapes_3<GeomTraits>& sha
   return facts;
 }
 
-} // namespace facts
-} // namespace internal
+} // namespace internal::facts
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -108,7 +105,6 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
   return internal::facts::facts_with_areas(shapes, points, np, [&](const auto&) { return of_shapes; });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_FACTS_H

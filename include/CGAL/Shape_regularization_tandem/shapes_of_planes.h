@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 namespace internal {
 
@@ -155,7 +154,6 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
   });
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPES_OF_PLANES_H

@@ -6,8 +6,7 @@
 
 #include <CGAL/tags.h>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -47,7 +46,6 @@ in the process
 template <class ExecutionTag = CGAL::Parallel_if_available_tag>
 struct Mpi_tag {};
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TAGS_H

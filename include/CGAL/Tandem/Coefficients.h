@@ -6,8 +6,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /// \ingroup PkgShapeRegularizationTandemRef
 /// the plane a x + b y + c z + d = 0 as the four numbers (a, b, c, d), in double for every kernel
@@ -19,7 +18,6 @@ using Position = std::array<double, 3>; // the coordinates of a point
 
 } // namespace internal
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_COEFFICIENTS_H

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -83,7 +82,6 @@ struct Distance_estimate {
   bool noise_varies = false;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_PARAMETERS_H

@@ -6,8 +6,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -32,7 +31,6 @@ struct Plane_uncertainty {
   double angle_deg = 0;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_PLANE_UNCERTAINTY_H

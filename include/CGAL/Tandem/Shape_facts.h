@@ -7,8 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -55,7 +54,6 @@ struct Shape_facts {
   double shifted = 0;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_SHAPE_FACTS_H

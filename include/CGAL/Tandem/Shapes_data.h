@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 // The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1]. So
 // `first` has one entry more than there are shapes.
@@ -59,7 +58,6 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_SHAPES_DATA_H

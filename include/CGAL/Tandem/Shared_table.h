@@ -9,8 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 // A table that does not change any more. Copies share the items, so a result is copied in constant time.
 template <class T>
@@ -43,7 +42,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_SHARED_TABLE_H

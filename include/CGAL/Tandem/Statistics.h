@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -120,7 +119,6 @@ struct Statistics {
   }
 };
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_STATISTICS_H

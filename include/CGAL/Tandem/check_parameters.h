@@ -17,8 +17,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 // The same text whatever the locale of the program is.
 template <class T>
@@ -156,7 +155,6 @@ inline std::string angle_note(const Parameters& p)
   return of_normals + (of_normals.empty() || of_planes.empty() ? "" : "; ") + of_planes;
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_CHECK_PARAMETERS_H

@@ -4,8 +4,7 @@
 #ifndef CGAL_TANDEM_DETECTION_STAGE_H
 #define CGAL_TANDEM_DETECTION_STAGE_H
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -40,7 +39,6 @@ inline Detection_stage stage_at(double progress)
   return Detection_stage(stage);
 }
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_DETECTION_STAGE_H

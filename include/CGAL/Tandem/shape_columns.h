@@ -11,8 +11,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 template <class Row>
 struct Shape_column {
@@ -38,7 +37,6 @@ constexpr std::array<Shape_column<Plane_uncertainty>, 3> uncertainty_columns = {
    {"offset_deviation", &Plane_uncertainty::offset_deviation},
    {"angle_deviation_deg", &Plane_uncertainty::angle_deg}}};
 
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_TANDEM_SHAPE_COLUMNS_H

@@ -40,7 +40,7 @@ Row row_of(const Made_up& m)
 void check_shown(const std::vector<Summary>& all, std::size_t i, const std::map<std::string, std::string>& expected)
 {
   std::size_t found = 0;
-  for(const Criterion& c : shown_criteria())
+  for(const Criterion& c : shown_criteria)
     if(const auto e = expected.find(c.title); e != expected.end()) {
       ++found;
       BOOST_TEST(marked(c, all.at(i), all.at(0)) == e->second, i << ": " << c.title);

@@ -17,9 +17,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The back end that a tag selects, or a compile-time error that names the remedy. Cuda_tag gets here only if the library
 // is not linked.
@@ -97,8 +95,6 @@ template <>
 struct Execution_of<Cuda_if_available_tag> : Cuda_or_host_execution<Parallel_host> {};
 #endif
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The points of shapes on a grid, to find those within a distance of a place.
 
@@ -242,8 +240,6 @@ private:
   std::vector<Block> blocks_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_PLANE_CHOICE_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- Checks of planes, groups and their relations, from the tables of the shapes alone. Each function throws the first
 // violation. Later ones rely on earlier ones.
@@ -380,8 +378,6 @@ std::string violation_of_promises(Backend& backend, Import& in, const Planar_sha
   return {};
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H

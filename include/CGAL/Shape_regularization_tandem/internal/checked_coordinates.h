@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The direction upward, of length 1.
 template <class Vector_3>
@@ -116,8 +114,6 @@ auto checked_coordinates(const Any_shapes& shapes, const PointRange& points, con
   return coordinates;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_CHECKED_COORDINATES_H

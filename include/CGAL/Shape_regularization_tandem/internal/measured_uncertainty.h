@@ -11,9 +11,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // position(i) of the i of `members`, of which there is one. Sums are in steps of the grid of the detection, from the
 // first point: their squares then neither overflow nor vanish.
@@ -38,8 +36,6 @@ Plane_uncertainty measured_uncertainty(const Members& members, const Position& p
   return to_caller(plane_uncertainty(s, to_grid(plane, grid), parameters.maximum_distance / step), grid);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H

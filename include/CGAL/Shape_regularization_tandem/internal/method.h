@@ -16,9 +16,7 @@
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 #else
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 class Sequential_backend;
 
@@ -31,9 +29,7 @@ extern template bool inspect_points(const Values<double>&, std::size_t, Coordina
 extern template void drop_invalid<float>(Import&);
 extern template void drop_invalid<double>(Import&);
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_USE_ENGINE
 

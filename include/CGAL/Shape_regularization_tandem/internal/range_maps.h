@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- What is asked of a range and its property maps: one compile-time error that says what to pass. Callers leave out what
 // would not compile where a check has failed, so that no other error follows.
@@ -147,17 +145,14 @@ struct Same_map_check {
                 "name its type in Tandem_traits_3.");
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 namespace CGAL {
 
 template <typename Point, typename Vector>
 class Point_set_3;
 
-namespace Tandem {
-namespace internal {
+namespace Tandem::internal {
 
 // The maps that a range has by itself. A plain range has its values as points, and no normals.
 template <class PointRange>
@@ -330,8 +325,7 @@ auto on_backend(const PointRange& points, const NP& np, F f)
   });
 }
 
-} // namespace internal
-} // namespace Tandem
+} // namespace Tandem::internal
 } // namespace CGAL
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The numbers of equal keys, in the order in which they come first.
 template <class Key>
@@ -75,8 +73,6 @@ inline Shapes_data relabel_shapes(const Shapes_data& data, const std::vector<std
   return result;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H

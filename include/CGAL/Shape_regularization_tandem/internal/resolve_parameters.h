@@ -12,9 +12,7 @@
 
 #include <CGAL/number_utils.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // Any number type that converts to double.
 template <class Tag, class NP>
@@ -111,8 +109,6 @@ inline void check_given_parameters(Parameters p)
   check_parameters(p);
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H

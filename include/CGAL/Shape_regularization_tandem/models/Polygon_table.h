@@ -17,10 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Polygon = Indexed_polygon;
@@ -90,9 +87,6 @@ struct Polygon_table {
   std::vector<Projection> frames;
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H

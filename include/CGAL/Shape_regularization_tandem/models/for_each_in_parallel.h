@@ -9,9 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // f(0) to f(n - 1), in parallel where TBB is linked.
 template <class Function>
@@ -24,8 +22,6 @@ void for_each_in_parallel(std::size_t n, Function f)
   });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FOR_EACH_IN_PARALLEL_H

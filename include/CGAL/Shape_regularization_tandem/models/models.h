@@ -21,9 +21,7 @@
 #define CGAL_TANDEM_MODELS_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 namespace outlines {
 
@@ -58,9 +56,7 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
 
 } // namespace facts
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #ifndef CGAL_TANDEM_USE_MODELS
 #include <CGAL/Shape_regularization_tandem/models/facts/facts_table.h>

@@ -24,10 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace facts {
+namespace CGAL::Tandem::internal::facts {
 
 // --- How planes lie to the level: inclination, and direction of the compass
 
@@ -220,9 +217,6 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
   return facts;
 }
 
-} // namespace facts
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::facts
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H

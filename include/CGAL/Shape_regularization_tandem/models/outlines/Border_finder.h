@@ -20,10 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // --- Sets of intervals on a line
 
@@ -450,9 +447,6 @@ private:
   std::vector<std::vector<std::size_t>> near; // shapes that may have points close to those of each shape
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_BORDER_FINDER_H

@@ -23,10 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // --- Points of a plane without those that are close to another one
 
@@ -272,6 +269,35 @@ private:
     return v;
   }
 
+  // Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
+  // a lattice that are on a line in space form slivers in the plane of the shape.
+  static double squared_radius(Face_handle f)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Kernel::Point_2 &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+    const Kernel::Vector_2 a = q - p, b = r - p;
+    const double s = a.x() * b.y(), t = a.y() * b.x();
+    if(!(std::fabs(s - t) > 4 * std::numeric_limits<double>::epsilon() * (std::fabs(s) + std::fabs(t))))
+      return infinity;
+    const double squared = CGAL::squared_radius(p, q, r);
+    return std::isfinite(squared) ? squared : infinity;
+  }
+
+  // Of the longest edge.
+  static double squared_length(Face_handle f)
+  {
+    double longest = 0;
+    for(int i = 0; i < 3; ++i)
+      longest = (std::max)(longest, CGAL::squared_distance(f->vertex(i)->point(), f->vertex((i + 1) % 3)->point()));
+    return longest;
+  }
+
+  // The mean of the corners.
+  static double spacing(Face_handle f)
+  {
+    return (double(f->vertex(0)->info().spacing) + f->vertex(1)->info().spacing + f->vertex(2)->info().spacing) / 3;
+  }
+
   // A point close to a straight border makes a flat face with a large circle there, so that is decided by edges.
   bool is_inside(Face_handle f, double radius) const
   {
@@ -346,10 +372,25 @@ private:
     }
   }
 
+  // How often the inside begins around a vertex.
+  int number_of_fans(Vertex_handle v) const
+  {
+    int count = 0;
+    auto f = triangulation.incident_faces(v);
+    const auto end = f;
+    bool was_inside = (--f)->info().is_inside;
+    f = end;
+    do {
+      count += f->info().is_inside && !was_inside;
+      was_inside = f->info().is_inside;
+    } while(++f != end);
+    return count;
+  }
+
   // Of several fans of faces of the inside around a vertex, only the largest remains.
   bool separate(Vertex_handle v)
   {
-    if(number_of_fans(triangulation, v) < 2)
+    if(number_of_fans(v) < 2)
       return false;
     auto f = triangulation.incident_faces(v);
     while(f->info().is_inside)
@@ -441,9 +482,6 @@ private:
   bool has_area; // the points are not on a line
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TRIANGULATION_H

@@ -18,10 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 class Plane_directions {
 public:
@@ -68,11 +65,7 @@ private:
     });
   }
 
-  Kernel::Vector_3 normal_of(std::size_t s) const
-  {
-    const Shapes::Coefficients& c = shapes.coefficients(s);
-    return Kernel::Vector_3(c[0], c[1], c[2]);
-  }
+  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.plane(s).orthogonal_vector(); }
 
   const Shapes& shapes;
   std::vector<int> representative; // a shape of each parallel group
@@ -193,9 +186,6 @@ inline void add_own_directions(const Shapes& shapes, const std::vector<Outline_d
   }
 }
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_PLANE_DIRECTIONS_H

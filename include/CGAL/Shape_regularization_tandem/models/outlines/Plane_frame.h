@@ -15,10 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 
@@ -40,11 +37,11 @@ inline Kernel::Point_3 point_at(const Position& p) { return Kernel::Point_3(p[0]
 // are computed in space.
 class Plane_frame {
 public:
+  Plane_frame() = default;
   Plane_frame(const Shapes& shapes, std::size_t s, const Kernel::Point_3& origin) : origin(origin)
   {
-    const Shapes::Coefficients& c = shapes.coefficients(s);
-    const Kernel::Vector_3 normal(c[0], c[1], c[2]);
-    const std::size_t steepest = steepest_axis(c);
+    const Kernel::Vector_3 normal = shapes.plane(s).orthogonal_vector();
+    const std::size_t steepest = steepest_axis(shapes.coefficients(s));
     const Kernel::Vector_3 across =
       CGAL::cross_product(Kernel::Vector_3(steepest == 1, steepest == 2, steepest == 0), normal);
     first = across / std::sqrt(across.squared_length());
@@ -164,9 +161,6 @@ inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes,
   return {double(x[0]), double(x[1]), double(x[2])};
 }
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_PLANE_FRAME_H

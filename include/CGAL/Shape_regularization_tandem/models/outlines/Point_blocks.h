@@ -16,10 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 inline CGAL::Bbox_3 grown(const CGAL::Bbox_3& b, double d)
 {
@@ -107,9 +104,6 @@ private:
   std::vector<std::vector<Block>> levels; // from the smallest blocks to the largest
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_POINT_BLOCKS_H

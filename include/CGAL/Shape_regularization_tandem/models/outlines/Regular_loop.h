@@ -14,10 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // A run of edges becomes an edge on its line, which is at the median of its points, or goes through the end of a straight
 // border where the points permit that, too. Edges in no run stay.
@@ -308,9 +305,6 @@ inline Outline_loop rectangle_of_hole(const Border_points& border, const std::ve
   return {};
 }
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_REGULAR_LOOP_H

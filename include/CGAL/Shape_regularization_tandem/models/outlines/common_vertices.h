@@ -15,10 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // --- Shapes that meet at a line end at the same vertices of it
 
@@ -216,19 +213,16 @@ Outline_loop with_edges_on_lines(const Outline_loop& loop, const std::vector<Bor
 // The vertices of all outlines on each line of two planes.
 class Common_vertices {
 public:
-  void add(const Outline_draft& draft)
+  explicit Common_vertices(const std::vector<Outline_draft>& drafts)
   {
-    for(const Outline_loop& loop : draft.loops())
-      for(std::size_t i = 0; i < loop.size(); ++i)
-        if(loop[i].border >= 0)
-          for(const Outline_vertex* v : {&loop[i], &loop[(i + 1) % loop.size()]}) {
-            const Border_line& line = draft.lines[std::size_t(loop[i].border)];
-            on_line[line.planes].emplace_back(along(line, *v), v->position);
-          }
-  }
-
-  void sort()
-  {
+    for(const Outline_draft& draft : drafts)
+      for(const Outline_loop& loop : draft.loops())
+        for(std::size_t i = 0; i < loop.size(); ++i)
+          if(loop[i].border >= 0)
+            for(const Outline_vertex* v : {&loop[i], &loop[(i + 1) % loop.size()]}) {
+              const Border_line& line = draft.lines[std::size_t(loop[i].border)];
+              on_line[line.planes].emplace_back(along(line, *v), v->position);
+            }
     for(auto& [line, vertices] : on_line) {
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -301,9 +295,6 @@ private:
   std::map<Position, Position> joined_with;                  // the smaller one
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_COMMON_VERTICES_H

@@ -28,10 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // --- The points of a shape in its frame
 
@@ -61,21 +58,17 @@ class Polygon_maker {
 public:
   Polygon_maker(const std::vector<Position>& points, const Shapes& shapes)
     : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()),
-      resolution(2 * unit.in(shapes.parameters().maximum_distance)), directions(shapes)
+      resolution(2 * unit.in(shapes.parameters().maximum_distance)), all(n), triangulations(n)
   {
     for(std::size_t s : shapes.distinct_planes())
       planes.push_back(unit.in(shapes.coefficients(s)));
     for(std::size_t s = 0; s < n; ++s)
       projections.emplace_back(plane_of(s));
-    triangulations.resize(n);
-    std::vector<std::unique_ptr<Shape_points>> made(n);
     for_each_in_parallel(n, [&](std::size_t s) {
-      made[s] = std::make_unique<Shape_points>(points_of_shape(points, shapes, unit, s));
-      triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat, resolution);
-      made[s]->spacing = triangulations[s]->spacings();
+      all[s] = points_of_shape(points, shapes, unit, s);
+      triangulations[s] = std::make_unique<Outline_triangulation>(all[s].flat, resolution);
+      all[s].spacing = triangulations[s]->spacings();
     });
-    for(const auto& shape : made)
-      all.push_back(std::move(*shape));
   }
 
   // Once: the drafts are used up. Outlines that are not regular are straightened only.
@@ -134,6 +127,7 @@ private:
   // Ends of straight borders that are no corners move to where regular edges begin.
   void make_regular()
   {
+    const Plane_directions directions(shapes);
     std::vector<std::vector<Wanted_end>> wanted(n);
     std::vector<std::vector<Kernel::Vector_2>> along(n); // what edges may be parallel to
     for_each_in_parallel(n, [&](std::size_t s) { along[s] = directions.of_shape(s, all[s].frame); });
@@ -207,13 +201,6 @@ private:
     drafts[s].change([&](const Outline_loop& loop) { return with_edges_on_lines(loop, drafts[s].lines, on_line); });
   }
 
-  void collect(Common_vertices& vertices) const
-  {
-    for(const Outline_draft& draft : drafts)
-      vertices.add(draft);
-    vertices.sort();
-  }
-
   void join_vertices(std::size_t s, const Common_vertices& apart)
   {
     drafts[s].change([&](Outline_loop loop) {
@@ -230,11 +217,10 @@ private:
   void share_vertices()
   {
     for_each_in_parallel(n, [&](std::size_t s) { find_edges_on_lines(s); });
-    Common_vertices apart, common;
-    collect(apart);
+    Common_vertices apart(drafts);
     apart.join();
     for_each_in_parallel(n, [&](std::size_t s) { join_vertices(s, apart); });
-    collect(common);
+    const Common_vertices common(drafts);
     for_each_in_parallel(n, [&](std::size_t s) {
       const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
       drafts[s].change([&](const Outline_loop& loop) { return common.longer(drafts[s], loop, vertex); });
@@ -316,7 +302,6 @@ private:
   std::vector<Projection> projections;      // of the shapes, in the unit
   std::vector<Shape_points> all;
   std::vector<std::unique_ptr<Outline_triangulation>> triangulations;
-  Plane_directions directions;
   std::vector<Straight_borders> borders; // of the shapes
   std::vector<Outline_draft> drafts;     // of the shapes
   std::vector<char> is_framed;           // whether the draft of the shape is in its frame
@@ -379,9 +364,6 @@ CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position
   return table;
 }
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H

@@ -6,21 +6,13 @@
 
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
 
-#include <CGAL/squared_distance_2.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace outlines {
+namespace CGAL::Tandem::internal::outlines {
 
 // --- The straight parts of outlines
 
@@ -104,56 +96,6 @@ inline double twice_area(const Outline_loop& loop)
   return result;
 }
 
-// --- Measures of faces of a triangulation, and of those around a vertex
-
-// Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
-// a lattice that are on a line in space form slivers in the plane of the shape.
-template <class Face_handle>
-double squared_radius(Face_handle f)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
-  const auto a = q - p, b = r - p;
-  const double s = a.x() * b.y(), t = a.y() * b.x();
-  if(!(std::fabs(s - t) > 4 * std::numeric_limits<double>::epsilon() * (std::fabs(s) + std::fabs(t))))
-    return infinity;
-  const double squared = CGAL::squared_radius(p, q, r);
-  return std::isfinite(squared) ? squared : infinity;
-}
-
-// Of the longest edge.
-template <class Face_handle>
-double squared_length(Face_handle f)
-{
-  double longest = 0;
-  for(int i = 0; i < 3; ++i)
-    longest = (std::max)(longest, CGAL::squared_distance(f->vertex(i)->point(), f->vertex((i + 1) % 3)->point()));
-  return longest;
-}
-
-// The mean of the corners.
-template <class Face_handle>
-double spacing(Face_handle f)
-{
-  return (double(f->vertex(0)->info().spacing) + f->vertex(1)->info().spacing + f->vertex(2)->info().spacing) / 3;
-}
-
-// How often the inside begins around a vertex.
-template <class Triangulation>
-int number_of_fans(const Triangulation& triangulation, typename Triangulation::Vertex_handle v)
-{
-  int count = 0;
-  auto f = triangulation.incident_faces(v);
-  const auto end = f;
-  bool was_inside = (--f)->info().is_inside;
-  f = end;
-  do {
-    count += f->info().is_inside && !was_inside;
-    was_inside = f->info().is_inside;
-  } while(++f != end);
-  return count;
-}
-
 // --- The closed lines around the faces of a triangulation that are inside
 
 // An edge is opposite to a vertex of its face, which is inside and to its left.
@@ -203,9 +145,6 @@ private:
   Is_inside is_inside;
 };
 
-} // namespace outlines
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::outlines
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TYPES_H

@@ -16,10 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 struct Face {
   std::vector<int> vertices; // counterclockwise, seen from outside
@@ -251,9 +248,6 @@ private:
   std::map<int, std::set<std::size_t>> faces_at_;
 };
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H

@@ -20,10 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 // --- A part of space that is cut into convex cells. A facet has a cell on each side, and an edge has the same ends in all
 // facets around it: a cell may have several facets in one plane, and facets vertices on straight edges.
@@ -345,9 +342,6 @@ inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bb
   return cutter.cells();
 }
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H

@@ -21,10 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 // --- How much of each facet points cover, or walls without points are assumed to, with places there
 
@@ -286,9 +283,6 @@ private:
   std::map<int, std::vector<int>> facets_of_vertex_;
 };
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_INSIDE_CELLS_H

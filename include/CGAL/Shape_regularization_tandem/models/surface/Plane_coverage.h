@@ -23,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -283,9 +280,6 @@ private:
   std::vector<Vector> directions_;
 };
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_PLANE_COVERAGE_H

@@ -23,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-namespace surface {
+namespace CGAL::Tandem::internal::surface {
 
 // --- Walls that no point covers, as in airborne scans: where a shape ends with another one below its border, a wall is
 // assumed to go straight down from there.
@@ -50,10 +47,9 @@ public:
     borders.resize((std::min)(borders.size(), most_borders));
     std::vector<Plane_coverage> walls;
     for(const Border& border : borders) {
-      const Plane_coverage::Quadrangle wall = wall_below(border);
       walls.push_back(plane_of(border));
-      walls.back().reach(wall);
-      walls.back().assume(wall);
+      walls.back().reach(border.wall);
+      walls.back().assume(border.wall);
     }
     Ray_votes rays(up_);
     rays.add_obstacles(planes_);
@@ -68,8 +64,9 @@ public:
 private:
   struct Border {
     Point first, last;
-    double drop;   // to the plane below
-    double length; // seen from above
+    double drop;                     // to the plane below
+    double length;                   // seen from above
+    Plane_coverage::Quadrangle wall; // below it
   };
 
   bool is_upright(const Coefficients& c) const
@@ -88,12 +85,13 @@ private:
     const Vector left = (area * up_ > 0 ? 1 : -1) * up_; // the polygon is on the left side of its edges
     const auto add = [&](const auto& loop) {
       for(std::size_t i = 0; i < loop.size(); ++i) {
-        Border border = {point(loop[i]), point(loop[(i + 1) % loop.size()]), 0, 0};
+        Border border = {point(loop[i]), point(loop[(i + 1) % loop.size()]), 0, 0, {}};
         const Vector outward = CGAL::cross_product(border.last - border.first, left);
         border.length = std::sqrt(outward.squared_length());
         if(border.length < shortest_wall * near_ || ends_at_other(own, border))
           continue;
         border.drop = drop_at(CGAL::midpoint(border.first, border.last) + near_ / border.length * outward);
+        border.wall = {border.first, border.last, border.last - border.drop * up_, border.first - border.drop * up_};
         if(border.drop > 0)
           borders.push_back(border);
       }
@@ -133,11 +131,6 @@ private:
     return Plane_coverage({normal.x(), normal.y(), normal.z(), offset});
   }
 
-  Plane_coverage::Quadrangle wall_below(const Border& border) const
-  {
-    return {border.first, border.last, border.last - border.drop * up_, border.first - border.drop * up_};
-  }
-
   // That say that it is between inside and outside.
   double share_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
   {
@@ -153,19 +146,18 @@ private:
   // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
   void add_wall(const Border& border, bool is_assumed, std::size_t most)
   {
-    const Plane_coverage::Quadrangle wall = wall_below(border);
     auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
-      return is_upright(p.plane()) &&
-             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+      return is_upright(p.plane()) && std::all_of(border.wall.begin(), border.wall.end(),
+                                                  [&](const Point& corner) { return is_near(p.plane(), corner); });
     });
     if(plane == planes_.end()) {
       if(planes_.size() == most)
         return;
       plane = planes_.insert(planes_.end(), plane_of(border));
     }
-    plane->reach(wall);
+    plane->reach(border.wall);
     if(is_assumed)
-      plane->assume(wall);
+      plane->assume(border.wall);
   }
 
   static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
@@ -271,9 +263,6 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   return result;
 }
 
-} // namespace surface
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal::surface
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_SURFACE_TABLE_H
