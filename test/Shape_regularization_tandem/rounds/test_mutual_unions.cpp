@@ -1,26 +1,309 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions in rounds of mutual choice: what a slow definition gives, which fits every link anew in every round, in any order
-// of the links. And few rounds unite a row of equal shapes.
+// Unions of shapes. Their gain beside the definition, in double, where samples have all points, also of points with one
+// tolerance of their own; layers, bends and one plane by samples of large shapes. The samples. The rounds of mutual
+// choice beside a slow definition, which fits every link anew in every round, in any order of the links.
 
-#include "testing/fragments.h"
-#include "testing/verdict_of.h"
+#include "testing/body_fixture.h"
+#include "testing/same_bits.h"
+
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
+#include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_mutual_unions)
 
 using namespace CGAL::Tandem::internal;
 
+using Grid_points = std::vector<Grid_point>;
+using Links = std::vector<Link>;
+
+constexpr double epsilon = 60; // in grid steps
+
+const std::uint32_t upright = encode_normal({0, 0, 1});
+
+Options union_options(std::int64_t minimum_size = 100)
+{
+  Options o = Options();
+  o.score = Score(std::uint64_t(minimum_size), 12);
+  o.maximum_distance = epsilon;
+  o.squared_cosine = cosine_deg(25) * cosine_deg(25);
+  o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
+  return o;
+}
+
+// By both steps of the test.
+Verdict verdict_of(const Union_gain& gain, const Sampled_shape& a, const Sampled_shape& b, std::uint32_t links)
+{
+  return gain.may_gain(a.fitted, b.fitted, links) ? gain.near_verdict(a, b, links) : Verdict();
+}
+
+// The least hashes of all these.
+Shape_sample least_of(std::vector<Sampled_point> all)
+{
+  std::sort(all.begin(), all.end(), [](const Sampled_point& a, const Sampled_point& b) { return a.hash < b.hash; });
+  Shape_sample sample = Shape_sample();
+  for(; sample.size < all.size() && sample.size < Shape_sample::capacity; ++sample.size)
+    sample.item[sample.size] = all[sample.size];
+  return sample;
+}
+
+bool are_equal(const Shape_sample& a, const Shape_sample& b)
+{
+  return a.size == b.size && std::equal(a.item, a.item + a.size, b.item, [](const auto& p, const auto& q) {
+           return p.hash == q.hash && p.level == q.level && p.point.x == q.point.x && p.point.y == q.point.y &&
+                  p.point.z == q.point.z;
+         });
+}
+
+// Points of one shape, all of one tolerance.
+struct Fragment {
+  Grid_points point;
+  Fitted_moments fitted;
+  Shape_sample sample;
+
+  // Positions of points are consecutive.
+  void finish(std::uint32_t position, std::uint8_t level = 0)
+  {
+    std::vector<Sampled_point> all;
+    for(const Grid_point& p : point) {
+      fitted.moments.add(p, 1, level);
+      all.push_back({hash_of_position(position++), level, p});
+    }
+    refit(fitted);
+    sample = least_of(all);
+  }
+  std::int64_t size() const { return std::int64_t(point.size()); }
+  Sampled_shape sampled() const { return {fitted, sample}; }
+};
+
+using Fragments = std::vector<Fragment>;
+
+// The definition, by all points.
+class Slow_gain {
+public:
+  explicit Slow_gain(const Options& options) : options_(options) {}
+
+  // The first one is the larger one. Sets whether the result is near the limit of a decision.
+  Verdict verdict(const Fragment& a, const Fragment& b, std::uint32_t links, bool& is_close) const
+  {
+    is_close = false;
+    const double cosine = dot(a.fitted.fit.normal, b.fitted.fit.normal);
+    if(std::acos((std::min)(std::fabs(cosine), 1.)) > 50 * 3.14159265358979 / 180)
+      return {};
+    if(4 * b.size() < a.size()) {
+      const Verdict v = joined(a, b, a.fitted.local, links, true, is_close);
+      if(v.is_accepted)
+        return {true, true, v.gain};
+    }
+    Fitted_moments joint;
+    joint.moments = a.fitted.moments;
+    joint.moments += b.fitted.moments;
+    refit(joint);
+    return joined(a, b, joint.local, links, false, is_close);
+  }
+
+private:
+  // Of points with one plane.
+  struct Value {
+    double fit = 0;          // of the points that fit
+    std::int64_t points = 0; // that fit
+    double squares = 0;      // of distances in epsilons, of all points
+  };
+
+  Value value(const Grid_points& points, const Regular_plane& regular) const
+  {
+    Value v;
+    const Plane plane = rounded(regular);
+    for(const Grid_point& p : points) {
+      const double d = double(signed_distance(plane, p)) / normal_scale / epsilon;
+      v.squares += d * d;
+      if(fits(plane, p, options_.growth.tolerance)) {
+        v.fit += Score::unit * (1 - d * d);
+        ++v.points;
+      }
+    }
+    return v;
+  }
+
+  // With its price; without links.
+  double score(const Value& v) const
+  {
+    return v.fit + double(options_.score.size_bonus(v.points) + options_.score.price());
+  }
+
+  // is_taken: the plane is that of the larger one, which counts with all of its points.
+  Verdict joined(const Fragment& a, const Fragment& b, const Regular_plane& plane, std::uint32_t links, bool is_taken,
+                 bool& is_close) const
+  {
+    Value before_a = value(a.point, a.fitted.local), after_a = value(a.point, plane);
+    if(is_taken)
+      before_a.points = after_a.points = a.size();
+    const Value before_b = value(b.point, b.fitted.local), after_b = value(b.point, plane);
+    const Value both = {after_a.fit + after_b.fit, after_a.points + after_b.points, 0};
+    Verdict v;
+    v.gain = score(both) - score(before_a) - score(before_b) - double(options_.score.links(links));
+    const double gain_of_larger = v.gain + score(before_b);
+    // Without a look at points, by squares that count all of them, such a union is seen to lose more than a price.
+    const double by_squares = v.gain - both.fit + before_a.fit + before_b.fit -
+                              Score::unit * (after_a.squares + after_b.squares - before_a.squares - before_b.squares);
+    v.is_accepted = v.gain > 0 && gain_of_larger > 0 && 10 * (b.size() - after_b.points) <= b.size() &&
+                    10 * (a.size() - after_a.points) <= a.size();
+    is_close = is_close || std::fabs(v.gain) < 2 || std::fabs(gain_of_larger) < 2 || before_b.points < b.size() ||
+               (v.is_accepted && by_squares < 0);
+    return v;
+  }
+
+  Options options_;
+};
+
+// Up to 64 points of a square on a plane, with noise; some normals lean too much for the plane. Coordinates are
+// multiples of the factor.
+Fragment random_fragment(int n, int x, int factor, std::mt19937& random)
+{
+  const auto uniform = [&](double low, double high) { return low + (high - low) * double(random() % 100000) / 100000; };
+  const double slope_x = uniform(-.1, .1), slope_y = uniform(-.05, .05), height = uniform(-1, 1) * epsilon;
+  const double noise = uniform(0, .6) * epsilon;
+  const bool has_outliers = random() % 2 == 0;
+  Fragment s;
+  for(int i = 0; i < n; ++i) {
+    const double u = uniform(-500, 500), v = uniform(-500, 500), z = slope_x * u + slope_y * v + height;
+    const double lean = has_outliers && random() % 12 == 0 ? .45 : 0; // 24 degrees, and the slope
+    const auto rounded = [&](double c) { return int(c) / factor * factor; };
+    s.point.push_back(
+      {rounded(x + u), rounded(v), rounded(z + uniform(-noise, noise)), encode_normal({lean - slope_x, -slope_y, 1})});
+  }
+  return s;
+}
+
+// Points with a tolerance of epsilon / factor are as those of epsilon that are larger by the factor.
+BOOST_AUTO_TEST_CASE(gains)
+{
+  int accepted = 0, rejected = 0, taken = 0, close = 0, small_loses = 0;
+  std::mt19937 random(11);
+  for(int repetition = 0; repetition < 8000; ++repetition) {
+    const std::string where = "case " + std::to_string(repetition);
+    const Options options = union_options(random() % 4 == 0 ? 200 : 20);
+    const Union_gain gain(options);
+    const int octaves = int(random() % 3), factor = 1 << octaves, n = 3 + int(random() % 62),
+              m = 3 + int(random() % 62);
+    Fragment a = random_fragment((std::max)(n, m), 0, factor, random),
+             b = random_fragment((std::min)(n, m), 1000, factor, random), small[] = {a, b};
+    for(std::uint32_t side : {0u, 1u}) {
+      for(Grid_point& p : small[side].point)
+        p = {p.x / factor, p.y / factor, p.z / factor, p.normal};
+      small[side].finish(64 * side, std::uint8_t(8 * octaves));
+    }
+    a.finish(0);
+    b.finish(64);
+    const std::uint32_t links = random() % 30;
+    const Verdict got = verdict_of(gain, a.sampled(), b.sampled(), links),
+                  of_small = verdict_of(gain, small[0].sampled(), small[1].sampled(), links);
+    CHECK_AT(got.is_accepted == of_small.is_accepted && got.is_taken == of_small.is_taken &&
+               std::fabs(got.gain - of_small.gain) < 2,
+             where + ": with a smaller tolerance");
+    bool is_close = false;
+    const Verdict expected = Slow_gain(options).verdict(a, b, links, is_close);
+    close += is_close;
+    if(is_close && got.is_accepted != expected.is_accepted)
+      continue;
+    check_equal(got.is_accepted, expected.is_accepted, where + ": is accepted");
+    check_equal(got.is_taken, expected.is_taken, where + ": is taken");
+    if(got.is_accepted && got.is_taken == expected.is_taken)
+      check_close(got.gain, expected.gain, 2, where + ": gain");
+    if(n == m) { // of equal shapes none is the larger one
+      const Verdict other = verdict_of(gain, b.sampled(), a.sampled(), links);
+      CHECK_AT(!other.is_accepted || !got.is_accepted || std::fabs(other.gain - got.gain) < 1e-3,
+               where + ": gain of the pair in the other order");
+    }
+    accepted += expected.is_accepted && !expected.is_taken;
+    taken += expected.is_taken;
+    rejected += !expected.is_accepted;
+    small_loses += !expected.is_accepted && expected.gain > 2;
+  }
+  for(int count : {accepted, rejected, taken, small_loses})
+    CHECK_AT(count > 40, std::to_string(count) + " of a kind");
+  CHECK_AT(close < 2000, std::to_string(close) + " are close");
+}
+
+// Whether two areas become one, side by side or, as layers, at one place. The second one is at a distance in epsilons
+// that begins at `step` and rises to `rise` more. Noise is uniform, of so many epsilons to either side.
+bool are_united(int n, double noise, double step, double rise)
+{
+  std::mt19937 random{unsigned(n)};
+  Fragment part[2];
+  for(int i = 0; i < 2 * n; ++i) {
+    const bool is_second = i >= n;
+    const int x = int(random() % 10000), y = int(random() % 10000);
+    const double height = (is_second ? step + rise * x / 10000 : 0) + noise * (double(random() % 2001) / 1000 - 1);
+    part[is_second].point.push_back({x + (is_second && step == 0 ? 10000 : 0), y, int(height * epsilon), upright});
+  }
+  part[0].finish(0);
+  part[1].finish(std::uint32_t(n));
+  const Union_gain criterion(union_options());
+  const bool result = verdict_of(criterion, part[0].sampled(), part[1].sampled(), 20).is_accepted;
+  check_equal(verdict_of(criterion, part[1].sampled(), part[0].sampled(), 20).is_accepted, result, "the other order");
+  return result;
+}
+
+// 100 is the minimum size.
+BOOST_AUTO_TEST_CASE(surfaces)
+{
+  for(int n : {50, 150, 1000, 3000})
+    for(double noise : {0., .2, 1 / 3., .5}) {
+      const std::string where = std::to_string(n) + " points, noise " + std::to_string(noise);
+      CHECK_AT(are_united(n, noise, 0, 0), where + ": one plane");
+      if(noise == .5)
+        continue;
+      CHECK_AT(n > 1000 || are_united(n, noise, 0, .3), where + ": a slight bend");
+      CHECK_AT(!are_united(n, noise, 0, 6), where + ": a bend");
+      CHECK_AT(n < 1000 || !are_united(n, noise, 1.1, 0), where + ": two layers");
+    }
+}
+
+// As the only rank, and as one after others. Of the labels, and where two shapes have no point, and one has nearly all.
+BOOST_AUTO_TEST_CASE(samples)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    const std::size_t n = f.plane.size() + 2;
+    for(std::uint32_t first : {0u, 0xfffffff0u})
+      for(bool is_large : {false, true}) {
+        std::vector<std::uint32_t> label = f.label;
+        for(std::uint32_t i = 0; is_large && i < label.size(); ++i)
+          label[i] = i % 50 == 0 ? free_label : i % 40 == 0 ? 2 : 1;
+        std::vector<std::vector<Sampled_point>> all(n);
+        for(std::uint32_t i = 0; i < label.size(); ++i)
+          if(label[i] < first_mark)
+            all[label[i]].push_back({hash_of_position(first + i), f.level_of(i), f.point[i]});
+        Labeled_cloud<decltype(backend)> points(backend);
+        take_cloud(f, points);
+        points.cloud.first = first;
+        set_labels(points, label);
+        auto shapes = make_table(backend, std::vector<Shape>(n));
+        shapes.lose_moments();
+        require(points, shapes, tables::moments);
+        const auto got = sample_shapes(points, shapes);
+        for(std::size_t s = 0; s < n; ++s) {
+          const std::string where = name + ", shape " + std::to_string(s) + " of " + std::to_string(all[s].size());
+          CHECK_AT(are_equal(got.data()[s], least_of(all[s])), where);
+        }
+      }
+  });
+}
+
 struct Outcome {
-  std::vector<std::uint32_t> root;
+  std::vector<std::uint32_t> root; // these by shape
   Regular_planes plane;
   std::vector<Shape_sample> sample;
   int rounds = 0;
@@ -29,13 +312,13 @@ struct Outcome {
 // What Mutual_unions.h says, by tables of all links and no other state than which shape is where.
 class Slow_unions {
 public:
-  template <class Backend>
-  Slow_unions(const Fragments<Backend>& fragments, const Link_list& links)
+  Slow_unions(const Fragments& fragments, const Links& links)
   {
-    for(std::uint32_t id = 0; id < fragments.shapes.size; ++id) {
+    for(const Fragment& f : fragments) {
+      const std::uint32_t id = std::uint32_t(root_.size());
       root_.push_back(id);
-      whole_[id] = fragments.shapes.table()[id];
-      sample_[id] = fragments.samples.data()[id];
+      whole_[id] = f.fitted;
+      sample_[id] = f.sample;
     }
     while(unite(links))
       ++rounds_;
@@ -57,12 +340,7 @@ private:
   using Key =
     std::tuple<double, std::int64_t, std::uint64_t, std::uint32_t, std::uint32_t, bool>; // the last: no new fit
 
-  Verdict verdict(std::uint32_t a, std::uint32_t b, std::uint32_t links) const
-  {
-    return verdict_of(criterion, {whole_.at(a), sample_.at(a)}, {whole_.at(b), sample_.at(b)}, links);
-  }
-
-  bool unite(const Link_list& links)
+  bool unite(const Links& links)
   {
     std::map<std::uint32_t, Key> choice;
     for(const Link& link : links) {
@@ -70,7 +348,8 @@ private:
       const std::int64_t na = whole_[a].moments.count, nb = whole_[b].moments.count;
       if(na < nb || (na == nb && b < a))
         std::swap(a, b);
-      const Verdict v = a == b ? Verdict() : verdict(a, b, link.count);
+      const Verdict v =
+        a == b ? Verdict() : verdict_of(gain_, {whole_[a], sample_[a]}, {whole_[b], sample_[b]}, link.count);
       const Key key = {-v.gain, -na - nb, mixed_ids(a, b), a, b, v.is_taken};
       for(std::uint32_t s : {a, b})
         if(v.is_accepted && (choice.count(s) == 0 || key < choice[s]))
@@ -97,66 +376,156 @@ private:
     return !joins.empty();
   }
 
+  const Union_gain gain_{union_options()};
   std::vector<std::uint32_t> root_; // by shape
   std::map<std::uint32_t, Fitted_moments> whole_;
   std::map<std::uint32_t, Shape_sample> sample_;
   int rounds_ = 1;
 };
 
-// In other orders of the links. More unions than `few` and fewer than `many` are found.
-void check_scene(int unevenness, std::size_t few, std::size_t many)
+// Notes what is exchanged by an atomic operation. What is changed in another way, another thread may change as well.
+struct Noting_backend : Sequential_backend {
+  inline static std::map<const void*, int> exchanges;
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    const T old = Sequential_backend::atomic_exchange_if(target, expected, value);
+    exchanges[&target] += old == expected;
+    return old;
+  }
+};
+
+template <class Backend>
+Outcome unite(Backend& backend, const Fragments& fragments, const Links& links, const std::string& name)
 {
-  Sequential_backend sequential;
-  const Outcome expected = Slow_unions(make_fragments(sequential, unevenness), make_links(5)).outcome();
-  const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
-  CHECK_AT(roots.size() > few && roots.size() < many, std::to_string(roots.size()));
-  const auto check = [&](auto backend, const std::string& name) {
-    auto fragments = make_fragments(backend, unevenness);
-    std::uint32_t rounds = 0;
-    const auto unions = unite(backend, fragments, make_links(7), &rounds);
-    check_equal(int(rounds), expected.rounds, name + ": rounds");
-    for(std::uint32_t id = 0; id < fragments.shapes.size; ++id) {
-      const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
-      CHECK_AT(root == expected.root[id], name + ": roots");
-      CHECK_AT(are_equal(fragments.samples.data()[root], expected.sample[id]), name + ": samples");
-      CHECK_AT(is_same(place == no_index ? fragments.shapes.table()[root].local : unions.whole[place].local,
-                       expected.plane[id]),
-               name + ": planes");
+  Noting_backend::exchanges.clear();
+  const std::size_t n = fragments.size();
+  std::vector<Shape> shape(n);
+  Shape_samples<Backend> samples;
+  samples.reset(n);
+  for(std::size_t id = 0; id < n; ++id) {
+    static_cast<Fitted_moments&>(shape[id]) = fragments[id].fitted;
+    samples.data()[id] = fragments[id].sample;
+  }
+  Shape_table<Backend> shapes = make_table(backend, shape);
+  shapes.set_fitted();
+  const auto unions = unite_shapes(backend, Ranks<Backend>(backend), shapes, {Union_gain(union_options()), samples},
+                                   to_buffer(backend, links));
+  Outcome o;
+  o.rounds = int(to_vector(backend, unions.total).front());
+  std::set<std::uint32_t> members;
+  for(std::uint32_t id = 0; id < n; ++id) {
+    const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
+    o.root.push_back(root);
+    o.plane.push_back(place == no_index ? shape[root].local : unions.whole[place].local);
+    o.sample.push_back(samples.data()[root]);
+    if(root != id)
+      members.insert({root, id});
+    if(std::is_same<Backend, Noting_backend>::value)
+      check_equal(Noting_backend::exchanges[&unions.target[id]], int(root != id),
+                  name + ": atomic claims of shape " + std::to_string(id));
+  }
+  check_lists({unions.member.begin(), unions.member.end()}, std::vector<std::uint32_t>(members.begin(), members.end()),
+              name + ": members");
+  CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), name + ": deltas that stay");
+  return o;
+}
+
+// In other orders of the links. Returns the number of roots.
+std::size_t check_unions(const std::string& scene, const Fragments& fragments, Links links, int most_rounds)
+{
+  const Outcome expected = Slow_unions(fragments, links).outcome();
+  CHECK_AT(expected.rounds <= most_rounds, scene + ": " + std::to_string(expected.rounds) + " rounds");
+  std::shuffle(links.begin(), links.end(), std::mt19937(7));
+  const auto check = [&](auto backend, const std::string& of) {
+    const std::string name = scene + ", " + of;
+    const Outcome got = unite(backend, fragments, links, name);
+    check_equal(got.rounds, expected.rounds, name + ": rounds");
+    check_lists(got.root, expected.root, name + ": roots");
+    for(std::size_t id = 0; id < fragments.size(); ++id) {
+      CHECK_AT(are_equal(got.sample[id], expected.sample[id]), name + ": sample of " + std::to_string(id));
+      CHECK_AT(is_same(got.plane[id], expected.plane[id]), name + ": plane of " + std::to_string(id));
     }
   };
   check(Thread_backend(8), "8 threads");
+  check(Noting_backend(), "atomic operations");
   on_body_backends(check);
+  return std::set<std::uint32_t>(expected.root.begin(), expected.root.end()).size();
 }
 
-constexpr std::size_t all = columns * rows;
+constexpr int columns = 60, rows = 50, width = 1000; // of square fragments, in grid steps
 
-BOOST_AUTO_TEST_CASE(level_ground) { check_scene(level, 9, 11); }
-BOOST_AUTO_TEST_CASE(roofs) { check_scene(1, all / 30, all / 3); }
-BOOST_AUTO_TEST_CASE(uneven_roofs) { check_scene(4, all - 30, all); }
-
-// Equal shapes in a row, exactly level: all gains are equal at first, and most unions of a size. A number of rounds like
-// that of the shapes would be quadratic in time.
-BOOST_AUTO_TEST_CASE(rows_of_shapes)
+// Of a square whose corner is at x, y; z = height(x, y).
+template <class Height>
+void add_fragment(Fragments& fragments, int points, int x, int y, std::mt19937& random, Height height)
 {
-  constexpr int n = 2000;
-  std::mt19937 random(1);
-  Sequential_backend backend;
-  Fragments<Sequential_backend> fragments(backend, n);
-  Link_list links;
-  for(int i = 0; i < n; ++i) {
-    Grid_points points;
-    for(int j = 0; j < 50; ++j)
-      points.push_back({i * width + int(random() % width), int(random() % width), 0, upright});
-    fragments.add(points);
-    if(i > 0)
-      links.push_back({std::uint64_t(i - 1) << 32 | std::uint64_t(i), 1});
+  std::uint32_t position = 0;
+  for(const Fragment& f : fragments)
+    position += std::uint32_t(f.point.size());
+  fragments.emplace_back();
+  for(int i = 0; i < points; ++i) {
+    const int px = x + int(random() % width), py = y + int(random() % width);
+    fragments.back().point.push_back({px, py, height(px, py), upright});
   }
-  std::uint32_t rounds = 0;
-  const auto unions = unite(backend, fragments, links, &rounds);
-  CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
-  check_equal(unions.member.size(), std::size_t(n), "members of a row");
-  for(const std::uint32_t id : unions.member)
-    check_equal(root_of(unions.target.data(), id), root_of(unions.target.data(), 0), "root of a row");
+  fragments.back().finish(position);
+}
+
+// Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not: the more uneven,
+// the fewer. Or level ground, which is exactly flat, so that all costs are 0, and sizes and ids decide. With links
+// between neighbors in rows, columns and one diagonal.
+std::size_t check_roofs(const std::string& name, bool is_level, int unevenness)
+{
+  std::mt19937 random(3);
+  Fragments fragments;
+  Links links;
+  const auto height = [&](int x, int y) {
+    if(is_level)
+      return 300 * (y / (5 * width));
+    const int slope = x < 20 * width ? x / 8 : x < 40 * width ? 2500 - (x - 20 * width) / 10 : 500;
+    const int step = 70 * (y / (5 * width)) + unevenness * (37 * (x / width % 7) + 61 * (y / width % 5));
+    return slope + step + int(random() % 60);
+  };
+  for(std::uint32_t id = 0; id < columns * rows; ++id) {
+    const int size = is_level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
+    add_fragment(fragments, size, int(id % columns) * width, int(id / columns) * width, random, height);
+    for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
+      if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
+        links.push_back({std::uint64_t(id) << 32 | other, 1 + id % 5});
+  }
+  return check_unions(name, fragments, links, 100);
+}
+
+BOOST_AUTO_TEST_CASE(roofs)
+{
+  constexpr std::size_t all = columns * rows;
+  check_equal(check_roofs("level ground", true, 0), 10u, "levels");
+  const std::size_t roots = check_roofs("roofs", false, 1), of_uneven = check_roofs("uneven roofs", false, 4);
+  CHECK_AT(roots > all / 30 && roots < all / 3, std::to_string(roots));
+  CHECK_AT(of_uneven > all - 30 && of_uneven < all, std::to_string(of_uneven));
+}
+
+// Exactly level shapes become one. Small ones beside a large one join it in one round, and the second round finds no
+// pair. Equal ones in a row, where all gains are equal at first, and most unions of a size: a number of rounds like
+// that of the shapes would be quadratic in time.
+BOOST_AUTO_TEST_CASE(level_shapes)
+{
+  for(bool is_row : {false, true}) {
+    std::mt19937 random(1);
+    Fragments fragments;
+    Links links;
+    for(std::uint32_t i = 0; i < (is_row ? 2000 : 300); ++i) {
+      add_fragment(fragments,
+                   is_row   ? 50
+                   : i == 0 ? 2000
+                            : 5 + int(i),
+                   int(i) * width, 0, random, [](int, int) { return 0; });
+      if(i > 0)
+        links.push_back({std::uint64_t(is_row ? i - 1 : 0) << 32 | i, is_row ? 1u : 3u});
+    }
+    const std::string name = is_row ? "a row" : "many beside one";
+    check_equal(check_unions(name, fragments, links, is_row ? 300 : 2), 1u, name);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

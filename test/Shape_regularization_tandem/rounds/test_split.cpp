@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Splits against plain loops: which shapes split, which planes their parts have, and what becomes of points, shapes and
-// lists. Then shapes that have to split: two layers, a roof of a small angle, faces of different normals. And some that
-// must not: a noisy plane, and layers whose points interleave, since the links between them cost more. What a split
-// gains is compared with the score before and after.
+// lists. What a split gains is compared with the score before and after, of shapes that have to split: two layers, a
+// roof of a small angle, faces of different normals. And some that must not.
 
 #include "testing/body_fixture.h"
 #include "testing/same_bits.h"
@@ -12,8 +11,8 @@
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -22,82 +21,48 @@
 BOOST_AUTO_TEST_SUITE(test_split)
 
 using namespace CGAL::Tandem::internal;
+using namespace std::string_literals;
 
 using Labels = std::vector<std::uint32_t>;
-using Sample = std::vector<Sampled_point>;
 
 bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d; }
 
 struct Slow_split {
   std::uint32_t id;
   Split best;
-  std::uint64_t cut; // links between both parts
   bool is_accepted;
 };
 
-// The definition, shape by shape.
-class Slow_splits {
-public:
-  Slow_splits(const Fixture& f, const Labels& label, const Options& options, std::uint32_t first)
-    : f_(f), label_(label), gain_(options), first_(first)
-  {}
-
-  // Of all shapes that may split, by rising id.
-  std::vector<Slow_split> find(const std::vector<Shape>& shape) const
-  {
-    std::vector<Slow_split> result;
-    for(std::uint32_t id = 0; id < shape.size(); ++id) {
-      if(!shape[id].is_live() || !gain_.may_split(shape[id]))
-        continue;
-      const Split best = best_of(shape[id], sample_of(shape[id], id));
-      const std::uint64_t cut = best.gain > 0 ? links(id, best) : 0;
-      const std::int64_t cost = std::int64_t(cut) * (Score::unit / 2) / f_.cloud.k; // half a point for all of a point
-      result.push_back({id, best, cut, best.gain > cost});
-    }
-    return result;
-  }
-
-private:
-  Sample sample_of(const Shape& shape, std::uint32_t id) const
-  {
-    Sample sample;
-    for(std::uint32_t i = 0; i < label_.size(); ++i) {
-      const std::uint32_t hash = hash_of_position(first_ + i);
-      if(label_[i] == id && hash <= sample_bound(shape, Split_gain::sample_size))
-        sample.push_back({hash, f_.level_of(i), f_.point[i]});
-    }
+// The definition: all shapes that may split, by rising id.
+std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& shape, const Options& options,
+                                    std::uint32_t first)
+{
+  const Split_gain gain(options);
+  std::vector<Slow_split> result;
+  for(std::uint32_t id = 0; id < shape.size(); ++id) {
+    if(!shape[id].is_live() || !gain.may_split(shape[id]))
+      continue;
+    std::vector<Sampled_point> sample;
+    for(std::uint32_t i = 0; i < f.label.size(); ++i)
+      if(f.label[i] == id && hash_of_position(first + i) <= sample_bound(shape[id], Split_gain::sample_size))
+        sample.push_back({hash_of_position(first + i), f.level_of(i), f.point[i]});
     std::sort(sample.begin(), sample.end(), [](const auto& a, const auto& b) { return a.hash < b.hash; });
-    return sample;
-  }
-
-  Split best_of(const Shape& shape, const Sample& sample) const
-  {
     Split best;
     for(int start = 0; start < Split_gain::starts; ++start) {
-      const Split split = gain_.trial(shape, {sample.data(), std::uint32_t(sample.size())}, start);
+      const Split split = gain.trial(shape[id], {sample.data(), std::uint32_t(sample.size())}, start);
       if(split.gain > best.gain)
         best = split;
     }
-    return best;
+    const auto is_second = [&](std::uint32_t i) { return is_nearer(best.second, best.first, f.point[i]); };
+    std::int64_t cut = 0; // links between both parts
+    for(std::uint32_t i = 0; i < f.label.size() && best.gain > 0; ++i)
+      if(f.label[i] == id)
+        f.for_each_neighbor(i, [&](std::uint32_t j) { cut += f.label[j] == id && is_second(i) != is_second(j); });
+    // Half a point for all of a point.
+    result.push_back({id, best, best.gain > cut * (Score::unit / 2) / f.cloud.k});
   }
-
-  std::uint64_t links(std::uint32_t id, const Split& split) const
-  {
-    std::uint64_t result = 0;
-    for(std::uint32_t i = 0; i < label_.size(); ++i)
-      if(label_[i] == id)
-        f_.for_each_neighbor(i, [&](std::uint32_t j) {
-          result += label_[j] == id && is_nearer(split.second, split.first, f_.point[i]) !=
-                                         is_nearer(split.second, split.first, f_.point[j]);
-        });
-    return result;
-  }
-
-  const Fixture& f_;
-  const Labels& label_;
-  Split_gain gain_;
-  std::uint32_t first_;
-};
+  return result;
+}
 
 std::vector<Shape> fitted_shapes(const Fixture& f, std::size_t n)
 {
@@ -106,25 +71,6 @@ std::vector<Shape> fitted_shapes(const Fixture& f, std::size_t n)
     if(s.is_live())
       refit(s);
   return shape;
-}
-
-template <class Found>
-void check_found(const Found& found, const std::vector<Slow_split>& expected, const std::string& where)
-{
-  std::vector<std::uint32_t> id, accepted;
-  for(std::size_t i = 0; i < expected.size(); ++i) {
-    id.push_back(expected[i].id);
-    if(expected[i].is_accepted)
-      accepted.push_back(std::uint32_t(i));
-  }
-  check_lists({found.id.begin(), found.id.end()}, id, where + ": shapes that may split");
-  check_lists({found.accepted.begin(), found.accepted.end()}, accepted, where + ": shapes that split");
-  for(std::size_t i = 0; i < expected.size() && i < found.id.size(); ++i) {
-    const Split &got = found.split[i * Split_gain::starts], &best = expected[i].best;
-    const std::string at = where + ", shape " + std::to_string(expected[i].id);
-    check_equal(got.gain, best.gain, at + ": gain");
-    CHECK_AT(best.gain == 0 || (is_same(got.first, best.first) && is_same(got.second, best.second)), at + ": planes");
-  }
 }
 
 std::set<std::uint32_t> listed(const Cell_shapes& list)
@@ -156,8 +102,8 @@ void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   }
 }
 
-// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do not
-// although they would gain by their planes.
+// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do
+// not although they would gain by their planes.
 std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
 {
   Options options = Options();
@@ -166,7 +112,7 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
   options.maximum_distance = double(f.tolerance.distance) / normal_scale;
   options.growth.tolerance = f.tolerance;
   const std::vector<Shape> shape = fitted_shapes(f, f.plane.size());
-  const std::vector<Slow_split> expected = Slow_splits(f, f.label, options, first).find(shape);
+  const std::vector<Slow_split> expected = slow_splits(f, shape, options, first);
   Fixture after = f;
   std::array<int, 2> count = {0, 0};
   for(const Slow_split& s : expected) {
@@ -188,7 +134,6 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
     auto shapes = make_table(backend, shape);
     shapes.plane = to_buffer(backend, f.plane);
     require(points, shapes, tables::fits | tables::lists);
-    check_found(find_splits(points, shapes, options), expected, where);
     split_shapes(points, shapes, options);
     check_equal(shapes.size, after.plane.size(), where + ": number of shapes");
     if(shapes.size != after.plane.size())
@@ -232,123 +177,38 @@ Options split_options(int k)
   return o;
 }
 
-// A point, and the face that it belongs to; -1: either.
-struct Truth {
-  Grid_point point;
-  int face;
-};
+// Points of a square. Heights and noise are in epsilons.
+struct Scene {
+  const char* name;
+  int points;
+  double side;
+  double gap;   // between layers, of which the second one has two points of five
+  double ridge; // over the eaves, where both faces meet
+  double noise;
+  bool is_sharp; // normals are those of the faces
+  bool gains;    // without links
 
-using Scene = std::vector<Truth>;
+  std::vector<Grid_point> point = {};
+  std::vector<int> face = {}; // by point; -1: either
 
-class Generator {
-public:
-  double uniform() { return double(random_() >> 8) / (1 << 24); }
-  double gaussian() // of variance 1, about
+  bool has_faces() const { return gap >= 1 || ridge > 0; }
+
+  void make()
   {
-    double sum = -6;
-    for(int i = 0; i < 12; ++i)
-      sum += uniform();
-    return sum;
-  }
-
-private:
-  std::mt19937 random_{5};
-};
-
-// n points of a square of the given side, z = height(x, face). The second face has two points of five.
-template <class F>
-Scene make_faces(int n, double side, F height)
-{
-  Generator random;
-  Scene scene;
-  for(int i = 0; i < n; ++i) {
-    const double x = side * random.uniform(), y = side * random.uniform();
-    Truth t = {{std::int32_t(x), std::int32_t(y), 0, encode_normal({0, 0, 1})}, i % 5 < 2};
-    t.point.z = std::int32_t(std::lround(height(x, t.face) + epsilon / 8 * random.gaussian()));
-    scene.push_back(t);
-  }
-  return scene;
-}
-
-Scene make_layers(int n, double side, double gap)
-{
-  return make_faces(n, side, [gap](double, int face) { return face * gap * epsilon; });
-}
-
-Scene make_noisy(int n, double side, double noise)
-{
-  Generator random;
-  return make_faces(n, side, [&](double, int) { return noise * epsilon * random.gaussian(); });
-}
-
-// The heights of the ridge over the eaves in epsilons. Points near the ridge belong to either side.
-Scene make_roof(int n, double side, double height)
-{
-  Scene scene =
-    make_faces(n, side, [=](double x, int) { return height * epsilon * (1 - std::fabs(2 * x / side - 1)); });
-  for(Truth& t : scene) {
-    const double from_ridge = double(t.point.x) / side - .5;
-    t.face = std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0;
-  }
-  return scene;
-}
-
-// The ridge is sharp, and normals are those of the faces.
-Scene make_edge(int n, double side)
-{
-  Scene scene = make_roof(n, side, 20);
-  const double slope = 40 * epsilon / side;
-  for(Truth& t : scene)
-    t.point.normal = encode_normal({2 * t.point.x > side ? slope : -slope, 0, 1});
-  return scene;
-}
-
-// Whether the shape of all points splits; then each part has a face, and the larger one keeps the id.
-void check_scene(const std::string& name, const Scene& scene, bool splits)
-{
-  std::vector<Grid_point> unsorted;
-  for(const Truth& t : scene)
-    unsorted.push_back(t.point);
-  Fixture f;
-  const std::vector<std::size_t> order = set_points(f, unsorted, 12, 512);
-  f.label.assign(scene.size(), 0);
-  on_body_backends([&](auto backend, const std::string& of) {
-    const std::string where = name + ", " + of;
-    Labeled_cloud<decltype(backend)> points(backend);
-    take_cloud(f, points);
-    set_labels(points, f.label);
-    auto shapes = make_table(backend, f.shapes_of_labels(1));
-    shapes.plane = filled_buffer(backend, 1, Plane());
-    split_shapes(points, shapes, split_options(f.cloud.k));
-    const Labels label = to_vector(backend, points.label(), f.label.size());
-    std::size_t of_face[2][2] = {{0, 0}, {0, 0}};
-    for(std::size_t i = 0; i < label.size(); ++i) {
-      CHECK_AT(label[i] <= 1, where + ": another label");
-      const int face = scene[order[i]].face;
-      if(label[i] <= 1 && face >= 0)
-        ++of_face[label[i]][face];
+    scenes::Random random(5);
+    for(int i = 0; i < points; ++i) {
+      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / side;
+      face.push_back(ridge == 0 ? i % 5 < 2 : std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0);
+      const double z = face.back() * gap + ridge * (1 - std::fabs(2 * from_ridge)) + noise * random.gaussian();
+      point.push_back({std::int32_t(side * x), std::int32_t(side * random.uniform()),
+                       std::int32_t(std::lround(epsilon * z)),
+                       encode_normal({!is_sharp        ? 0
+                                      : from_ridge > 0 ? slope
+                                                       : -slope,
+                                      0, 1})});
     }
-    const bool is_straight = of_face[0][1] + of_face[1][0] == 0, is_crossed = of_face[0][0] + of_face[1][1] == 0;
-    check_equal(std::count(label.begin(), label.end(), 1u) > 0, splits, where + ": whether it splits");
-    CHECK_AT(!splits || is_straight || is_crossed, where + ": points in the part of the other face");
-    const std::size_t kept = of_face[0][0] + of_face[0][1], moved = of_face[1][0] + of_face[1][1];
-    CHECK_AT(10 * kept > 9 * moved, where + ": the smaller part keeps the id");
-  });
-}
-
-BOOST_AUTO_TEST_CASE(scenes_of_two_faces)
-{
-  check_scene("layers", make_layers(2000, 1000, 1.5), true);
-  check_scene("large layers", make_layers(20000, 3000, 1.5), true);
-  check_scene("a low roof", make_roof(2000, 4000, 3), true);
-  check_scene("faces of different normals", make_edge(2000, 4000), true);
-  check_scene("a plane", make_noisy(2000, 4000, 0), false);
-  check_scene("a noisy plane", make_noisy(2000, 4000, 1. / 3), false);
-  // Each gains by its planes; in a thin cloud, half of the neighbors are in the other layer.
-  check_scene("near layers", make_layers(2000, 500, 1), true);
-  check_scene("layers that interleave", make_layers(2000, 20000, 1), false);
-  check_scene("a small shape", make_layers(int(minimum_size) - 2, 300, 1.5), false);
-}
+  }
+};
 
 // The definition of what a split gains, without links, in units of the score: as many points as the shape has are like
 // those of the sample. And its standard deviation, which is 0 for all points.
@@ -376,47 +236,72 @@ std::pair<double, double> slow_gain(const std::vector<Sampled_point>& sample, co
           double(Score::unit) * (scale > 1 ? scale * std::sqrt(squares) : 0)};
 }
 
-// The largest gain of any start, by the first points of the scene.
-double largest_gain(const std::string& name, const Scene& scene, std::size_t sample_size)
+// Whether any start gains, by the first points of the scene. A gain has to be more than its standard deviation. The
+// first part of the best split is the larger one; where there are faces, each part has the points of one.
+bool gains(const Scene& scene, std::size_t sample_size)
 {
   const Options options = split_options(12);
-  const Split_gain gain(options);
   Shape shape;
   std::vector<Sampled_point> sample;
-  for(const Truth& t : scene) {
-    shape.moments.add(t.point);
+  for(const Grid_point& p : scene.point) {
+    shape.moments.add(p);
     if(sample.size() < sample_size)
-      sample.push_back({std::uint32_t(sample.size()), 0, t.point});
+      sample.push_back({std::uint32_t(sample.size()), 0, p});
   }
   refit(shape);
-  double most = 0;
+  Split best;
   for(int start = 0; start < Split_gain::starts; ++start) {
-    const Split split = gain.trial(shape, {sample.data(), std::uint32_t(sample.size())}, start);
+    const Split split = Split_gain(options).trial(shape, {sample.data(), std::uint32_t(sample.size())}, start);
     if(split.gain == 0)
       continue;
     const auto [expected, deviation] = slow_gain(sample, shape, split, options);
-    check_close(double(split.gain), expected, 2e-2 * double(Score::unit * minimum_size),
-                name + ": gain of start " + std::to_string(start));
-    CHECK_AT(expected > .99 * deviation, name + ": a gain that is not certain");
-    most = (std::max)(most, double(split.gain));
+    const std::string where = scene.name + (", start " + std::to_string(start));
+    check_close(double(split.gain) / double(Score::unit), expected / double(Score::unit), 1e-3 * scene.points + 2,
+                where + ": gain");
+    CHECK_AT(expected > .99 * deviation, where + ": a gain that is not certain");
+    if(split.gain > best.gain)
+      best = split;
   }
-  return most;
+  std::size_t of_face[2][2] = {{0, 0}, {0, 0}}, number[2] = {0, 0};
+  for(std::size_t i = 0; i < scene.point.size(); ++i) {
+    const bool is_second = is_nearer(best.second, best.first, scene.point[i]);
+    ++number[is_second];
+    if(scene.face[i] >= 0)
+      ++of_face[is_second][scene.face[i]];
+  }
+  CHECK_AT(best.gain == 0 || 10 * number[0] > 9 * number[1], scene.name + ": the second part is larger"s);
+  CHECK_AT(best.gain == 0 || !scene.has_faces() || of_face[0][1] + of_face[1][0] == 0 ||
+             of_face[0][0] + of_face[1][1] == 0,
+           scene.name + ": points in the part of the other face"s);
+  return best.gain > 0;
 }
 
-BOOST_AUTO_TEST_CASE(gain)
+BOOST_AUTO_TEST_CASE(scenes_of_two_faces)
 {
-  CHECK(largest_gain("layers", make_layers(250, 1000, 1.5), 250) > 0);
-  CHECK(largest_gain("a low roof", make_roof(250, 4000, 3), 250) > 0);
-  CHECK(largest_gain("a noisy plane", make_noisy(250, 4000, 1. / 3), 250) == 0);
-  CHECK(largest_gain("too few points", make_layers(90, 1000, 1.5), 90) == 0);
+  for(Scene scene : {Scene{"layers", 2000, 1000, 1.5, 0, .125, false, true},
+                     {"large layers", 20000, 3000, 1.5, 0, .125, false, true},
+                     {"a low roof", 2000, 4000, 0, 3, .125, false, true},
+                     {"faces of different normals", 2000, 4000, 0, 20, .125, true, true},
+                     {"a plane", 2000, 4000, 0, 0, .125, false, false},
+                     {"a noisy plane", 2000, 4000, 0, 0, .3, false, true}, // links would cost more
+                     {"near layers", 2000, 500, 1, 0, .125, false, true},
+                     {"a small shape", int(minimum_size) - 2, 300, 1.5, 0, .125, false, false}}) {
+    scene.make();
+    for(std::size_t sample_size : {250u, 2000u})
+      check_equal(gains(scene, sample_size), scene.gains,
+                  scene.name + (": whether it gains, by " + std::to_string(sample_size)));
+  }
 }
 
-// Of a sample, a gain counts where it is more than its standard deviation: not for all layers that gain.
+// Of a small sample: not for all layers that gain.
 BOOST_AUTO_TEST_CASE(certain_gains)
 {
   int certain = 0;
-  for(int gap = 30; gap < 150; gap += 3)
-    certain += largest_gain("sampled layers", make_layers(1000, 1000, gap / 100.), 60) > 0;
+  for(int gap = 30; gap < 150; gap += 3) {
+    Scene scene = {"sampled layers", 1000, 1000, gap / 100., 0, .125, false, true};
+    scene.make();
+    certain += gains(scene, 60);
+  }
   CHECK_AT(certain > 5 && certain < 40, std::to_string(certain) + " gains");
 }
 
