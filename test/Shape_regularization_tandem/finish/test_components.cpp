@@ -9,43 +9,39 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_components)
 
 using namespace CGAL::Tandem::internal;
 
-// By repeated propagation of the smallest position.
+// By repeated propagation of the smallest position among the equal labels of a point and its neighbors.
 std::vector<std::uint32_t> slow_components(const Fixture& f)
 {
-  const std::uint32_t n = f.cloud.size;
-  std::vector<std::uint32_t> expected(n);
-  for(std::uint32_t i = 0; i < n; ++i)
-    expected[i] = i;
+  std::vector<std::uint32_t> smallest(f.cloud.size);
+  std::iota(smallest.begin(), smallest.end(), 0u);
   for(bool is_changed = true; is_changed;) {
     is_changed = false;
-    for(std::uint32_t r = 0; r < n; ++r) {
-      std::map<std::uint32_t, std::uint32_t> least; // by label, over the point and its neighbors
-      auto look = [&](std::uint32_t q) {
-        if(f.label[q] < first_mark) {
-          std::uint32_t& smallest = least.emplace(f.label[q], expected[q]).first->second;
-          smallest = (std::min)(smallest, expected[q]);
-        }
-      };
-      auto take = [&](std::uint32_t q) {
-        if(f.label[q] < first_mark && expected[q] != least[f.label[q]]) {
-          expected[q] = least[f.label[q]];
-          is_changed = true;
-        }
-      };
-      look(r);
-      f.for_each_neighbor(r, look);
-      take(r);
-      f.for_each_neighbor(r, take);
+    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
+      std::map<std::uint32_t, std::vector<std::uint32_t>> members = {{f.label[i], {i}}}; // by label
+      f.for_each_neighbor(i, [&](std::uint32_t q) { members[f.label[q]].push_back(q); });
+      for(const auto& m : members) {
+        std::uint32_t least = no_index;
+        for(std::uint32_t q : m.second)
+          least = (std::min)(least, smallest[q]);
+        for(std::uint32_t q : m.second)
+          if(m.first < first_mark && smallest[q] != least) {
+            smallest[q] = least;
+            is_changed = true;
+          }
+      }
     }
   }
-  return expected;
+  return smallest;
 }
 
 // Points of components of less than three points become free; before that, interior bits are cleared, and no others.
@@ -68,12 +64,19 @@ BOOST_AUTO_TEST_CASE(components)
       std::map<std::uint32_t, std::uint32_t> size; // by root
       for(std::uint32_t i = 0; i < n; ++i)
         size[component[i]] += f.label[i] < first_mark;
+      std::set<std::pair<int, std::uint32_t>> large; // the largest first
       for(std::uint32_t i = 0; i < n; ++i)
         if(without_small[i] < first_mark && size[component[i]] < 3)
           without_small[i] = free_label;
+        else if(without_small[i] < first_mark)
+          large.emplace(-int(size[component[i]]), component[i]);
       Seams<decltype(backend)> seams(backend, points.ranks);
-      const auto sizes =
-        component_sizes(points, {points.cloud.surfels(), label.data(), nullptr}, component.data(), seams);
+      const Labels_of_points labels = {points.cloud.surfels(), label.data(), nullptr};
+      std::vector<std::pair<int, std::uint32_t>> got;
+      for(const Component& c : large_components(points, 3, labels, component.data(), seams))
+        got.emplace_back(-int(c.size), c.root);
+      CHECK_AT(std::equal(got.begin(), got.end(), large.begin(), large.end()), name + ": large components");
+      const auto sizes = component_sizes(points, labels, component.data(), seams);
       backend.for_each(n, Clear_interior{state.data()});
       backend.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
       check_lists(label, without_small, name + ": labels without small components");

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is measured of a result, with and without surfels, against plain loops on several back ends. Why points have no
-// shape, with scenes whose free points have one reason. The uncertainty of planes: generated planes of known noise, whose
+// What is measured of a result, with and without surfels, and why points have no shape, against plain loops on several
+// back ends. The uncertainty of planes: generated planes of known noise, whose
 // errors are as large as is said, and points that determine no plane.
 
 #include "testing/body_fixture.h"
@@ -13,12 +13,12 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_measures)
 
 using namespace CGAL::Tandem::internal;
-using CGAL::Tandem::Free_points;
 using CGAL::Tandem::Plane_uncertainty;
 
 using Counts = std::array<std::int64_t, free_reason::size>;
@@ -83,54 +83,40 @@ free_reason::Reason reason(const Fixture& f, const Cloud_view& cloud, const std:
                               : free_reason::clutter;
 }
 
-// Every second label is a shape of the result.
+// Every second label is a shape of the result, of half its number. Some points have no normal.
 template <class Backend>
-void check_reasons(Backend& backend, const std::string& name, const Fixture& f, const Cloud_view& cloud,
-                   const Labels_of_points& labels)
-{
-  std::vector<std::uint32_t> shape;
-  for(std::uint32_t i = 0; i < cloud.size; ++i)
-    shape.push_back(labels.label[i] < first_mark && labels.label[i] % 2 == 0 ? labels.label[i] : no_index);
-  std::vector<Grid_point> point(f.point);
-  for(std::size_t p = 0; p < point.size(); p += 11)
-    point[p].normal = no_normal;
-  Cloud_view changed = cloud;
-  changed.surfels.point = point.data();
-  const std::uint32_t points = std::uint32_t(point.size());
-  const Counts got = backend.template sum<free_reason::size>(
-    points, Explain_free_points{changed, {labels, shape.data()}, f.plane.data(), f.tolerance});
-  Counts expected = {};
-  for(std::uint32_t p = 0; p < points; ++p) {
-    const std::uint32_t i = cloud.surfels.of_point(p);
-    const bool is_rejected = labels.point_label != nullptr && labels.point_label[p] != labels.label[i];
-    if(shape[i] == no_index || is_rejected)
-      ++expected[reason(f, cloud, shape, i, p, point[p])];
-  }
-  for(std::size_t r = 0; r < free_reason::size; ++r)
-    check_equal(got[r], expected[r], name + ": reason " + std::to_string(r));
-  CHECK_AT(got[free_reason::misfit] > 0 || points < 100, name);
-}
-
-// Every second label is a shape, of half its number.
-template <class Backend>
-void check_final_moments(Backend& backend, const std::string& name, const Fixture& f, const Cloud_view& cloud,
-                         const std::vector<Range>& cells, const Labels_of_points& labels)
+void check_result(Backend& backend, const std::string& name, const Fixture& f, Cloud_view cloud,
+                  const std::vector<Range>& cells, const Labels_of_points& labels)
 {
   std::vector<std::uint32_t> shape;
   for(std::uint32_t i = 0; i < cloud.size; ++i)
     shape.push_back(labels.label[i] < first_mark && labels.label[i] % 2 == 0 ? labels.label[i] / 2 : no_index);
-  std::vector<Shared_moments> expected(f.plane.size()), got(f.plane.size());
-  for(std::uint32_t p = 0; p < f.point.size(); ++p) {
+  std::vector<Grid_point> point(f.point);
+  for(std::size_t p = 0; p < point.size(); p += 11)
+    point[p].normal = no_normal;
+  cloud.surfels.point = point.data();
+  const std::uint32_t points = std::uint32_t(point.size());
+  Counts expected = {};
+  std::vector<Shared_moments> sums(f.plane.size());
+  for(std::uint32_t p = 0; p < points; ++p) {
     const std::uint32_t i = cloud.surfels.of_point(p);
-    if(shape[i] != no_index && (labels.point_label == nullptr || labels.point_label[p] == labels.label[i]))
-      add_point(expected[shape[i]], f.point[p], 1);
+    if(shape[i] == no_index || (labels.point_label != nullptr && labels.point_label[p] != labels.label[i]))
+      ++expected[reason(f, cloud, shape, i, p, point[p])];
+    else
+      add_point(sums[shape[i]], point[p], 1, f.level_of(p));
   }
+  const Counts got = backend.template sum<free_reason::size>(
+    points, Explain_free_points{cloud, {labels, shape.data()}, f.plane.data(), f.tolerance});
+  for(std::size_t r = 0; r < free_reason::size; ++r)
+    check_equal(got[r], expected[r], name + ": reason " + std::to_string(r));
+  CHECK_AT(got[free_reason::misfit] > 0 || points < 100, name);
   for(const std::uint32_t parts : {1u, 3u}) {
-    std::fill(got.begin(), got.end(), Shared_moments());
+    std::vector<Shared_moments> sum(sums.size());
     backend.template for_each_cell<Moment_table>(
       parts * cells.size(),
-      Sum_moments<Backend, Final_members>{cloud, {cells.data(), nullptr, parts}, {{labels, shape.data()}}, got.data()});
-    check_moments(got, expected, name);
+      Sum_moments<Backend, Final_members>{cloud, {cells.data(), nullptr, parts}, {{labels, shape.data()}}, sum.data()});
+    if(f.level.empty())
+      check_moments(sum, sums, name);
   }
 }
 
@@ -138,14 +124,9 @@ BOOST_AUTO_TEST_CASE(bodies)
 {
   on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
     const Surfels_of_three s(f);
-    const Labels_of_points points = {f.cloud.surfels, f.label.data(), nullptr},
-                           surfels = {s.cloud.surfels, s.label.data(), s.point_label.data()};
-    check_reasons(backend, name, f, f.cloud, points);
-    check_reasons(backend, name + ", surfels", f, s.cloud, surfels);
-    if(!f.level.empty())
-      return;
-    check_final_moments(backend, name, f, f.cloud, f.cells, points);
-    check_final_moments(backend, name + ", surfels", f, s.cloud, s.cells, surfels);
+    check_result(backend, name, f, f.cloud, f.cells, {f.cloud.surfels, f.label.data(), nullptr});
+    check_result(backend, name + ", surfels", f, s.cloud, s.cells,
+                 {s.cloud.surfels, s.label.data(), s.point_label.data()});
   });
 }
 
@@ -159,130 +140,10 @@ BOOST_AUTO_TEST_CASE(doubled_tolerance)
   }
 }
 
-// A square of side 1 with noise across, n points.
-void add_square(Cloud& cloud, scenes::Random& random, std::size_t n, const scenes::Vec& at, double noise)
-{
-  for(std::size_t i = 0; i < n; ++i)
-    add(cloud, at + scenes::Vec{random.uniform(), random.uniform(), noise * random.gaussian()}, {0, 0, 1});
-}
-
-// All free points but a share have the reason.
-void check_reason(const Cloud& cloud, double epsilon, std::size_t Free_points::*reason, const std::string& name,
-                  Given given = Given::normals)
-{
-  const Shapes shapes = detect_valid(name, cloud, make_parameters(epsilon, 50), given);
-  const CGAL::Tandem::Statistics& s = shapes.statistics();
-  check_equal(s.free_points.total(), cloud.size() - s.number_of_assigned_points, name + ": sum");
-  CHECK_AT(s.free_points.total() > 100, name);
-  CHECK_AT(double(s.free_points.*reason) > .75 * double(s.free_points.total()),
-           name + ": " + std::to_string(s.free_points.*reason) + " of " + std::to_string(s.free_points.total()));
-}
-
-BOOST_AUTO_TEST_CASE(scenes_of_one_reason)
-{
-  scenes::Random random(46);
-  Cloud wall;
-  add_square(wall, random, 4000, {0, 0, 0}, .01);
-  check_reason(wall, .012, &Free_points::misfit, "a wall with more noise than the tolerance");
-
-  Cloud plates = wall;
-  for(int i = 0; i < 12; ++i)
-    add_square(plates, random, 30, {3. * i, 5, 2. * (i % 3)}, .001);
-  check_reason(plates, .05, &Free_points::in_small_regions, "small plates");
-
-  Cloud outliers = wall;
-  for(int i = 0; i < 500; ++i) {
-    const scenes::Vec at = {3 * random.uniform(), 3 * random.uniform(), 1 + 3 * random.uniform()};
-    add(outliers, at, {random.gaussian(), random.gaussian(), random.gaussian()});
-  }
-  check_reason(outliers, .05, &Free_points::without_neighbors, "outliers");
-
-  Cloud line = wall;
-  for(int i = 0; i < 500; ++i)
-    add(line, {10 + .01 * i, 10, 10}, {0, 0, 1});
-  check_reason(line, .05, &Free_points::without_normal, "a line", Given::nothing);
-
-  Cloud ball;
-  for(int i = 0; i < 4000; ++i)
-    add(ball, {random.uniform(), random.uniform(), random.uniform()}, {0, 0, 1});
-  check_reason(ball, .01, &Free_points::clutter, "clutter", Given::nothing);
-}
-
 // v' C v
 double form(const std::array<double, 6>& c, const Vector& v)
 {
   return quadratic_form({c[0], c[1], c[2], c[3], c[4], c[5]}, v);
-}
-
-// Means over many planes, which are 2, 1 and 1 for a true covariance.
-struct Errors {
-  double normal = 0, offset = 0, noise = 0;
-  int within_one = 0, planes = 0; // whether the normal is within one standard deviation
-
-  // The squared error of the normal, by its covariance; of the offset, by its variance; and noise^2 by the true one.
-  void add(const Shapes& shapes, const scenes::Frame& frame, double noise)
-  {
-    const Plane_uncertainty& u = shapes.uncertainty(0);
-    const auto& c = shapes.coefficients(0);
-    Vector n = {c[0], c[1], c[2]};
-    const Vector truth = {frame.z.x, frame.z.y, frame.z.z};
-    const double sign = dot(n, truth) < 0 ? -1 : 1;
-    const Vector error = truth - sign * n;
-    const Plane_axes axes(n);
-    const double aa = form(u.normal_covariance, axes.a), bb = form(u.normal_covariance, axes.b);
-    const double ab = (form(u.normal_covariance, axes.a + axes.b) - aa - bb) / 2;
-    const double a = dot(error, axes.a), b = dot(error, axes.b);
-    const double distance2 = (bb * a * a - 2 * ab * a * b + aa * b * b) / (aa * bb - ab * ab);
-    CHECK_AT(std::fabs(form(u.normal_covariance, n)) < 1e-12 * (aa + bb), "the normal has a variance along itself");
-    const scenes::Vec at = scenes::Vec{u.centroid[0], u.centroid[1], u.centroid[2]} - frame.origin;
-    const double offset = scenes::dot(frame.z, at);
-    normal += distance2;
-    within_one += distance2 < 1;
-    this->offset += offset * offset / (u.offset_deviation * u.offset_deviation);
-    this->noise += u.noise * u.noise / (noise * noise);
-    ++planes;
-  }
-
-  // Within four standard deviations of the means of so many planes. 39 % are within one of two dimensions.
-  void check(const std::string& name) const
-  {
-    const double n = planes;
-    CHECK_AT(std::fabs(normal / n - 2) < 4 * std::sqrt(4 / n), name + ": normal " + std::to_string(normal / n));
-    CHECK_AT(std::fabs(offset / n - 1) < 4 * std::sqrt(2 / n), name + ": offset " + std::to_string(offset / n));
-    CHECK_AT(std::fabs(noise / n - 1) < .03, name + ": noise " + std::to_string(noise / n));
-    CHECK_AT(std::fabs(within_one / n - .3935) < 4 * std::sqrt(.24 / n), name + ": " + std::to_string(within_one / n));
-  }
-};
-
-// A rectangle of 1 by `width`, with noise across the plane, or in all directions.
-Cloud noisy_plane(scenes::Random& random, const scenes::Frame& frame, double width, double noise, bool is_isotropic)
-{
-  Cloud cloud;
-  for(int i = 0; i < 600; ++i) {
-    const scenes::Vec p = {random.uniform(), width * random.uniform(), noise * random.gaussian()};
-    const scenes::Vec aside = {noise * random.gaussian(), noise * random.gaussian(), 0};
-    add(cloud, frame.point(is_isotropic ? p + aside : p), frame.z);
-  }
-  return cloud;
-}
-
-void check_noise(const std::string& name, double width, double noise, bool is_isotropic)
-{
-  scenes::Random random(46);
-  Errors errors;
-  for(int seed = 0; seed < 150; ++seed) {
-    const scenes::Frame turned =
-      scenes::Frame().turned({random.gaussian(), random.gaussian(), random.gaussian()}, random.uniform());
-    const scenes::Frame frame = turned.at({100 * random.uniform(), 200, 300});
-    const Cloud cloud = noisy_plane(random, frame, width, noise, is_isotropic);
-    const Shapes shapes = detect_valid(name, cloud, make_parameters(7 * noise, 300));
-    check_equal(shapes.number_of_shapes(), std::size_t(1), name);
-    if(shapes.number_of_shapes() != 1)
-      continue;
-    check_equal(shapes.size(0), cloud.size(), name + ": points");
-    errors.add(shapes, frame, noise);
-  }
-  errors.check(name);
 }
 
 Plane_uncertainty uncertainty_of(const std::vector<Grid_point>& points, double offset = 0)
@@ -316,11 +177,42 @@ BOOST_AUTO_TEST_CASE(degenerate_points)
   CHECK(std::fabs(v.normal_covariance[0] - 1) < 1e-9 && std::fabs(v.normal_covariance[3] - 1) < 1e-9);
 }
 
+// Planes of a rectangle of 1 by `width`, with noise across it, or in all directions. In the mean, the squared error of
+// the normal by its covariance is 2, that of the offset by its variance 1, and noise^2 that of the points, each within
+// four standard deviations.
 BOOST_AUTO_TEST_CASE(noise)
 {
-  check_noise("noise across the plane", 1, .01, false);
-  check_noise("noise in all directions", .5, .02, true);
-  check_noise("a strip", .06, .005, true);
+  scenes::Random random(46);
+  for(const auto& [width, noise, is_isotropic] :
+      {std::make_tuple(1., .01, false), std::make_tuple(.5, .02, true), std::make_tuple(.06, .005, true)}) {
+    double of_normal = 0, of_offset = 0, of_noise = 0;
+    constexpr double unit = 1e6, planes = 300;
+    for(int plane = 0; plane < planes; ++plane) {
+      const scenes::Frame frame = scenes::Frame().turned(random.gaussian_vector(), random.uniform());
+      Moments moments;
+      for(int i = 0; i < 600; ++i) {
+        const scenes::Vec p = {random.uniform(), width * random.uniform(), 0}, e = noise * random.gaussian_vector();
+        const scenes::Vec q = unit * frame.point(p + (is_isotropic ? e : scenes::Vec{0, 0, e.z}));
+        moments.add({std::int32_t(q.x), std::int32_t(q.y), std::int32_t(q.z), 0});
+      }
+      const Scatter scatter = make_scatter(moments);
+      const Vector n = fit_plane(scatter).normal, x = {frame.x.x, frame.x.y, frame.x.z},
+                   y = {frame.y.x, frame.y.y, frame.y.z}, z = {frame.z.x, frame.z.y, frame.z.z};
+      const Plane_uncertainty u = plane_uncertainty(scatter, {n, dot(n, scatter.centroid)}, 50);
+      const double xx = form(u.normal_covariance, x), yy = form(u.normal_covariance, y),
+                   xy = (form(u.normal_covariance, x + y) - xx - yy) / 2;
+      const double sign = dot(n, z) < 0 ? -1 : 1, a = sign * dot(n, x), b = sign * dot(n, y),
+                   c = dot(z, scatter.centroid);
+      CHECK(std::fabs(form(u.normal_covariance, n)) < 1e-12 * (xx + yy)); // it has no variance along itself
+      of_normal += (yy * a * a - 2 * xy * a * b + xx * b * b) / (xx * yy - xy * xy) / planes;
+      of_offset += c * c / (u.offset_deviation * u.offset_deviation) / planes;
+      of_noise += u.noise * u.noise / (noise * noise * unit * unit) / planes;
+    }
+    const std::string name = "width " + std::to_string(width);
+    check_close(of_normal, 2, 4 * std::sqrt(4 / planes), name + ": normal");
+    check_close(of_offset, 1, 4 * std::sqrt(2 / planes), name + ": offset");
+    check_close(of_noise, 1, .03, name + ": noise");
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
