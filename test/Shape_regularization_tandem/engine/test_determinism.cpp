@@ -6,6 +6,12 @@
 
 #include "testing/same_result.h"
 
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/engine/connect_cloud.h>
+#include <CGAL/Tandem/internal/engine/prepare.h>
+
+#include <random>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -45,49 +51,79 @@ void check_runs(const std::string& name, const Cloud& cloud, const Parameters& p
   }
 }
 
-void check_scene(const std::string& name, const scenes::Options& options, std::size_t minimum)
-{
-  const scenes::Scene scene = scenes::make_scene(name, options);
-  const double epsilon = (std::max)(3 * options.noise, .002) * scene.diagonal;
-  check_runs(name, to_cloud(scene), make_parameters(epsilon, minimum));
-}
-
 BOOST_AUTO_TEST_CASE(test_scenes)
 {
-  scenes::Options indoor = scene_options(20000, .0005, .05);
-  indoor.varies_density = true;
-  indoor.normals = scenes::Normals::perturbed;
-  check_scene("indoor", indoor, 50);
-  check_scene("staircase", scene_options(5000, 0, .02), 50);
+  scenes::Options options = scene_options(20000, .0005, .05);
+  options.varies_density = true;
+  options.normals = scenes::Normals::perturbed;
+  const scenes::Scene indoor = scenes::make_scene("indoor", options);
+  check_runs("indoor", to_cloud(indoor), make_parameters(.002 * indoor.diagonal, 50));
 }
 
-// Each point comes two or three times: equal in all bits, which no order can tell
-// apart, or nearer to its twin than the grid resolves, with another normal.
+// Each point comes two or three times: equal in all bits, which no order can tell apart, or nearer to its twin than the
+// grid resolves, with another normal.
+Cloud make_copies(double distance)
+{
+  Cloud cloud = to_cloud(scenes::make_scene("house", scene_options(4000, .001, .1)));
+  scenes::Random random(5);
+  for(std::size_t i = 0, n = cloud.size(); i < n; ++i)
+    for(std::uint64_t copies = 1 + random.bits() % 2; copies > 0; --copies) {
+      const scenes::Vec d = distance * random.direction(), m = (distance > 0 ? .4 : 0.) * random.direction();
+      cloud.emplace_back(cloud[i].first + Kernel::Vector_3(d.x, d.y, d.z),
+                         cloud[i].second + Kernel::Vector_3(m.x, m.y, m.z));
+    }
+  return cloud;
+}
+
 BOOST_AUTO_TEST_CASE(test_copies)
 {
-  const scenes::Scene scene = scenes::make_scene("house", scene_options(4000, .001, .1));
-  for(const double distance : {0., 1e-9}) {
-    Cloud cloud = to_cloud(scene);
-    scenes::Random random(5);
-    for(std::size_t i = 0, n = cloud.size(); i < n; ++i)
-      for(std::uint64_t copies = 1 + random.bits() % 2; copies > 0; --copies) {
-        const scenes::Vec d = distance * random.direction(), m = (distance > 0 ? .4 : 0.) * random.direction();
-        cloud.emplace_back(cloud[i].first + Kernel::Vector_3(d.x, d.y, d.z),
-                           cloud[i].second + Kernel::Vector_3(m.x, m.y, m.z));
-      }
-    check_runs(distance > 0 ? "close twins" : "duplicates", cloud, make_parameters(.003 * scene.diagonal, 60));
-  }
+  for(const double distance : {0., 1e-9})
+    check_runs(distance > 0 ? "close twins" : "duplicates", make_copies(distance), make_parameters(.08, 60));
 }
 
-// So far that many points share a code of the curve.
-BOOST_AUTO_TEST_CASE(test_far_points)
+// Coordinates, normal and tolerance of a point.
+using Values = std::array<double, 7>;
+
+// In the order of the engine, from a range in any order.
+std::vector<Values> ordered(std::vector<Values> points, std::mt19937& random)
 {
-  const scenes::Scene scene = scenes::make_scene("house", scene_options(5000, .001, .1));
-  Cloud cloud = to_cloud(scene);
-  scenes::Random random(6);
-  for(int i = 0; i < 50; ++i)
-    add(cloud, 9000 * random.direction(), {0, 0, 1});
-  check_runs("far points", cloud, make_parameters(.003 * scene.diagonal, 40));
+  using namespace CGAL::Tandem::internal;
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, ::First<Kernel>, ::Second<Kernel>, CGAL::Sequential_tag>;
+  std::shuffle(points.begin(), points.end(), random);
+  Cloud cloud;
+  for(const Values& v : points)
+    add(cloud, {v[0], v[1], v[2]}, {v[3], v[4], v[5]});
+  Sequential_backend backend;
+  Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), ::First<Kernel>(), ::Second<Kernel>()));
+  in.has_tolerances = true;
+  for(const Values& v : points)
+    in.tolerances.push_back(v[6]);
+  Parameters parameters = make_parameters(.08, 60);
+  parameters.surfel_size = 0; // the points of a surfel need no order
+  choose_grid(in, parameters);
+  Labeled_cloud<Sequential_backend> sorted(backend);
+  sort_points(backend, in, parameters.cell_size, sorted.cloud, sorted.cells);
+  std::vector<Values> list;
+  for(const std::uint32_t i : sorted.cloud.order)
+    list.push_back(points[i]);
+  return list;
+}
+
+// Points that are one on the grid, and differ in a coordinate, a normal, or a tolerance: their order is always the
+// same.
+BOOST_AUTO_TEST_CASE(test_order_of_points)
+{
+  std::mt19937 random(3);
+  for(int kind = 0; kind < 3; ++kind) {
+    std::vector<Values> points;
+    for(const auto& [p, n] : make_copies(0)) {
+      Values v = {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), .08};
+      v[std::size_t(3 * kind)] -= 1e-9 * double(random() % 7);
+      points.push_back(v);
+    }
+    const auto first = ordered(points, random), second = ordered(points, random);
+    CHECK_AT(first == second, "points that differ in kind " + std::to_string(kind) + " are in other orders");
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <cstring>
 #include <random>
@@ -66,30 +67,19 @@ CGAL::Tandem::Planar_shapes_3<Kernel> detect(const std::vector<Point>& cloud)
   return CGAL::Tandem::detect_planes<Tag>(cloud, np::maximum_distance(.01).minimum_region_size(60));
 }
 
-// A loop that an optimizer vectorizes, as it would in a program that writes the normals to a file.
-void unpack(const std::vector<std::uint32_t>& codes, std::vector<CGAL::Tandem::internal::Vector>& normals)
-{
-  for(std::size_t i = 0; i < codes.size(); ++i)
-    normals[i] = CGAL::Tandem::internal::unpacked_normal(codes[i]);
-}
-
-bool is_float(double x)
-{
-  volatile float rounded = float(x);
-  return double(rounded) == x;
-}
-
-// Files hold normals as floats.
+// Files hold normals as floats. They are unpacked in a loop that an optimizer vectorizes, as in a program that writes
+// them.
 void check_floats(const CGAL::Tandem::Planar_shapes_3<Kernel>& shapes)
 {
-  const auto& table = shapes.data().normal;
-  const std::vector<std::uint32_t> codes(table.begin(), table.end());
-  std::vector<CGAL::Tandem::internal::Vector> normals(codes.size());
-  unpack(codes, normals);
-  for(std::size_t i = 0; i < codes.size(); ++i) {
+  const auto& code = shapes.data().normal;
+  std::vector<CGAL::Tandem::internal::Vector> normals(code.size());
+  std::transform(code.begin(), code.end(), normals.begin(), CGAL::Tandem::internal::unpacked_normal);
+  for(std::size_t i = 0; i < normals.size(); ++i) {
     const Kernel::Vector_3 n = shapes.estimated_normal(i);
-    for(const double x : {normals[i].x, normals[i].y, normals[i].z, n.x(), n.y(), n.z()})
-      CHECK_AT(is_float(x), "normal of point " + std::to_string(i));
+    for(const double x : {normals[i].x, normals[i].y, normals[i].z, n.x(), n.y(), n.z()}) {
+      volatile float rounded = float(x);
+      CHECK_AT(double(rounded) == x, "normal of point " + std::to_string(i));
+    }
   }
 }
 
