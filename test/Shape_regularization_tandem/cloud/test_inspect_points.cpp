@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The loops over values that have just been read, which vectorize: whether they are finite, null vectors, and bounds.
-// Points that an engine takes while they are read, a piece at a time, come back as those that are read to the tables; and
-// they are there when twins are told apart by them.
+// Points that an engine takes while they are read, a piece at a time, come back as those that are read to the tables;
+// and they are there when twins are told apart by them.
 
 #include "testing/test_support.h"
 
@@ -54,35 +54,18 @@ BOOST_AUTO_TEST_CASE(values)
   test_values<double>();
 }
 
-// What a device would hold.
-class Taken_values : public Uploaded_values {
-public:
-  Taken_values(Vector_table& coordinates, Vector_table& normals, std::size_t n)
-    : vector_bytes(coordinates.vector_bytes()), table{coordinates.bytes(), normals.bytes()}
-  {
-    for(int t = 0; t < 2; ++t)
-      values[t].resize(table[t] != nullptr ? n * vector_bytes : 0);
-  }
-
-  void take(const char* piece, std::size_t first, std::size_t size)
-  {
-    for(int t = 0; t < 2 && table[t] != nullptr; ++t)
-      std::memcpy(values[t].data() + first * vector_bytes, piece + std::size_t(t) * size * vector_bytes,
-                  size * vector_bytes);
-  }
+// What a device would hold, of coordinates and normals. Takes pieces of up to 1000 points.
+struct Taken_values : Uploaded_values {
+  std::vector<char> values[2];
+  char* table[2];
 
   void download() override
   {
     for(int t = 0; t < 2; ++t)
       std::copy(values[t].begin(), values[t].end(), table[t]);
   }
-
-  const std::size_t vector_bytes;
-  char* const table[2];
-  std::vector<char> values[2];
 };
 
-// Takes pieces of up to 1000 points.
 struct Test_upload {
   struct Piece {
     std::size_t size;
@@ -91,24 +74,30 @@ struct Test_upload {
 
   void start(Vector_table& coordinates, Vector_table& normals, std::size_t n)
   {
-    values = std::make_shared<Taken_values>(coordinates, normals, n);
+    bytes = coordinates.vector_bytes();
+    taken->table[0] = coordinates.bytes();
+    taken->table[1] = normals.bytes();
+    for(int t = 0; t < 2; ++t)
+      taken->values[t].resize(taken->table[t] != nullptr ? n * bytes : 0);
   }
 
   Piece begin(std::size_t most)
   {
     const std::size_t size = (std::min)(most, std::size_t(1000));
-    return {size, new char[2 * size * values->vector_bytes]};
+    return {size, new char[2 * size * bytes]};
   }
 
-  void end(const Piece& piece, std::size_t first)
+  void end(const Piece& p, std::size_t first)
   {
-    values->take(piece.values, first, piece.size);
-    delete[] piece.values;
+    for(std::size_t t = 0; t < 2 && taken->table[t] != nullptr; ++t)
+      std::copy_n(p.values + t * p.size * bytes, p.size * bytes, taken->values[t].data() + first * bytes);
+    delete[] p.values;
   }
 
-  std::shared_ptr<Uploaded_values> finish() { return values; }
+  std::shared_ptr<Uploaded_values> finish() { return taken; }
 
-  std::shared_ptr<Taken_values> values;
+  std::shared_ptr<Taken_values> taken = std::make_shared<Taken_values>();
+  std::size_t bytes = 0;
 };
 
 template <class K>
