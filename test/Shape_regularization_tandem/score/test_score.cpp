@@ -30,32 +30,31 @@ BOOST_AUTO_TEST_CASE(test_logarithm)
 
 BOOST_AUTO_TEST_CASE(test_parts)
 {
-  const Score score(100, 12);
   const double unit = double(Score::unit);
-  for(std::int64_t n : {1, 20, 99, 100, 101, 5000, 3000000}) {
-    const double bonus = .04 * double(n) * std::log2(double(n) / 100);
-    CHECK_AT(are_near(double(score.size_bonus(n)) / unit, bonus, 2e-5 * double(n) + 1 / unit), std::to_string(n));
+  scenes::Random random(1);
+  for(int i = 0; i < 2000; ++i) {
+    const std::uint64_t minimum = 3 + random.bits() % 500;
+    const int k = 3 + int(random.bits() % 40);
+    const double simplicity = i == 0 ? .04 : random.uniform(), regularity = i == 0 ? .1 : 10 * random.uniform();
+    const Score score = i == 0 ? Score(minimum, k) : Score(minimum, k, simplicity, regularity);
+    const std::string where = "case " + std::to_string(i);
+    const std::int64_t n = 1 + std::int64_t(std::exp2(36 * random.uniform()));
+    const double bonus = simplicity * double(n) * std::log2(double(n) / double(minimum));
+    const double rounding = 1e-3 * simplicity * double(n) + (.1 * double(n) + 1) / unit;
+    CHECK_AT(are_near(double(score.size_bonus(n)) / unit, bonus, rounding), where);
     const double derivative = double(score.size_bonus(2 * n) - score.size_bonus(n)) / double(n); // at about 1.47 n
-    CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2,
-             std::to_string(n));
+    CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2, where);
+    CHECK_AT(are_near(double(score.price()) / unit, -.3 * double(minimum), 1 / unit), where);
+    CHECK_AT(are_near(double(score.freedom(700)) / unit, -regularity * (double(minimum) + 70), .01), where);
+    CHECK_AT(are_near(double(score.links(24, 4)) / unit, -.5 * (24 + 3 * 4) / k, 1 / unit), where);
+    const std::int64_t epsilon = std::int64_t(37) << 28;
+    const double share = 2 * random.uniform() - 1;
+    const std::int64_t d = std::int64_t(share * double(epsilon)), weight = Score::weight({1, epsilon}, d);
+    CHECK_AT(are_near(double(weight), unit * (1 - share * share), 1), where);
+    CHECK_AT(Score::weight({3, epsilon}, d) == 3 * weight && Score::weight({1, epsilon}, epsilon + 5) == 0, where);
   }
-  CHECK(score.size_bonus(0) == 0);
+  CHECK(Score(100, 12).size_bonus(0) == 0);
   CHECK(Score(~std::uint64_t(0), 12).price() < 0);
-  CHECK(are_near(double(score.price()) / unit, -30, 1 / unit));
-  CHECK(are_near(double(score.freedom(700)) / unit, -17, 1 / unit));
-  const Score other(100, 12, .3, 2);
-  CHECK(are_near(double(other.size_bonus(800)) / unit, .3 * 800 * 3, .1));
-  CHECK(are_near(double(other.freedom(700)) / unit, -2 * (100 + 70), 1 / unit));
-  CHECK(are_near(double(Score(3, 12, 1).size_bonus(std::int64_t(1) << 37)) / unit, 0x1p37 * (37 - std::log2(3.)), 1e8));
-  CHECK(are_near(double(score.links(24, 4)) / unit, -1.5, 1 / unit));
-  const std::int64_t epsilon = std::int64_t(37) << 28;
-  for(double share : {0., .01, .3, .5, .9, 1.})
-    for(int sign : {-1, 1}) {
-      const std::int64_t d = std::int64_t(sign * share * double(epsilon));
-      CHECK_AT(are_near(double(Score::weight({1, epsilon}, d)), unit * (1 - share * share), 1), std::to_string(share));
-      CHECK(Score::weight({3, epsilon}, d) == 3 * Score::weight({1, epsilon}, d));
-    }
-  CHECK(Score::weight({1, epsilon}, epsilon + 5) == 0);
 }
 
 // k nearest neighbors of all points, in double.
