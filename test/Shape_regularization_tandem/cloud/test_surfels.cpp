@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE(targets_of_joins)
 
 // Two layers of random direction, 1.1 epsilon apart, of points in heaps, so that surfels join. Returns whether they
 // did.
-bool check_layers(Given given, std::uint64_t seed)
+bool check_layers(std::uint64_t seed)
 {
   scenes::Random random(seed);
   const double epsilon = .7;
@@ -325,10 +325,6 @@ bool check_layers(Given given, std::uint64_t seed)
   Sequential_backend backend;
   using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, ::First<Kernel>, ::Second<Kernel>, CGAL::Sequential_tag>;
   Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), ::First<Kernel>(), ::Second<Kernel>()));
-  if(given == Given::nothing) {
-    in.has_normals = false;
-    in.normals = Vector_table();
-  }
   const Parameters p = make_parameters(epsilon, 20);
   choose_grid(in, p);
   Labeled_cloud<Sequential_backend> points(backend);
@@ -348,9 +344,8 @@ BOOST_AUTO_TEST_CASE(layers)
 {
   int joined = 0;
   for(std::uint64_t seed = 1; seed <= 20; ++seed)
-    for(const Given given : {Given::normals, Given::nothing})
-      joined += check_layers(given, seed);
-  CHECK_AT(joined > 10, "surfels were joined in " + std::to_string(joined) + " of 40 clouds");
+    joined += check_layers(seed);
+  CHECK_AT(joined > 5, "surfels were joined in " + std::to_string(joined) + " of 20 clouds");
 }
 
 // A cloud too wide for surfels has none, and far points need no more than 64 bits.

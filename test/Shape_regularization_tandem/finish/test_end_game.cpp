@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What detections end with. Relations must not lose faces of hardly more than the minimum size, and points that fit a
-// shape around them must not be free. A bent floor is cut as the score says, and noisy layers near each other
-// stay apart. Planes lie in the middle of their points. Planes through clutter are no shapes: see drop_slabs() in
-// result/extract_shapes.h.
+// shape around them must not be free. A bent floor is cut as the score says. Planes lie in the middle of their points.
+// Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
 
@@ -13,8 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -117,32 +116,6 @@ BOOST_AUTO_TEST_CASE(bent_floors)
 {
   for(double sag : {.5, 1., 2., 4.})
     check_bent_floor(sag);
-}
-
-// Noisy faces within epsilon of larger ones keep their points. A face is found if a shape has most of its points, and
-// they are most of the shape.
-BOOST_AUTO_TEST_CASE(noisy_layers)
-{
-  scenes::Options options = scene_options(200000, .002, .2);
-  options.normals = scenes::Normals::perturbed;
-  options.normal_noise_deg = 8;
-  const scenes::Scene scene = scenes::make_scene("house", options);
-  Parameters parameters = make_parameters(.2, 200);
-  parameters.maximum_angle = 36.87;
-  const Shapes shapes = detect(to_cloud(scene), parameters);
-  std::map<int, std::map<int, std::size_t>> points_of; // by face and shape
-  for(std::size_t i = 0; i < scene.label.size(); ++i)
-    ++points_of[scene.label[i]][shapes.shape_index(i)];
-  std::size_t faces = 0, found = 0;
-  for(const auto& [face, common] : points_of) {
-    const std::size_t size = std::size_t(std::count(scene.label.begin(), scene.label.end(), face));
-    if(face < 0 || size < parameters.minimum_region_size)
-      continue;
-    ++faces;
-    for(const auto& [shape, number] : common)
-      found += shape >= 0 && 2 * number > (std::max)(size, shapes.size(std::size_t(shape)));
-  }
-  CHECK_AT(double(found) > .9 * double(faces), std::to_string(found) + " of " + std::to_string(faces) + " noisy faces");
 }
 
 // A plane lies in the middle of all points of its shapes; without any it stays.
