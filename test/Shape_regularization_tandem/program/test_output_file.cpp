@@ -77,8 +77,7 @@ BOOST_FIXTURE_TEST_CASE(complete_files, Folder)
 {
   {
     program::Output_file file((folder / "complete").string());
-    file.stream() << "text";
-    file.close();
+    file.write([](std::ostream& out) { out << "text"; });
     CHECK(!std::filesystem::exists(folder / "complete"));
     file.commit();
   }
@@ -105,7 +104,7 @@ BOOST_FIXTURE_TEST_CASE(made_folders, Folder)
     folders.keep();
     folders.make(folder / "new/kept/file/none");
     program::Output_file file((folder / "new/kept/file/text").string());
-    file.close();
+    file.write([](std::ostream&) {});
     file.commit();
   }
   CHECK(fs::exists(folder / "new/kept/file/text") && !fs::exists(folder / "new/kept/file/none"));
@@ -118,13 +117,13 @@ BOOST_FIXTURE_TEST_CASE(modes, Folder)
   const fs::path path = folder / "private";
   for(int mode : {0600, 0640, 0400, 0777}) {
     program::Output_file first(path.string());
-    first.close();
+    first.write([](std::ostream&) {});
     first.commit();
     fs::permissions(path, fs::perms(mode));
     program::Output_file file(path.string());
     for(const fs::directory_entry& entry : fs::directory_iterator(folder))
       CHECK_AT(entry.status().permissions() == fs::perms(mode), entry.path().string());
-    file.close();
+    file.write([](std::ostream&) {});
     file.commit();
     CHECK_AT(fs::status(path).permissions() == fs::perms(mode), std::to_string(mode));
   }

@@ -38,8 +38,8 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros, double share)
     s.*zeros = 600;
     s.free_points.clutter = 250;
   }
-  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 600}) == share);
-  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
+  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == share);
+  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
   const std::string text = program::why_poor(s), expected = zeros != nullptr ? "25 %" : "85 %";
   CHECK_AT(text.find("only 10 % of the points are in shapes, and " + expected + " are in clutter: ") == 0, text);
 }

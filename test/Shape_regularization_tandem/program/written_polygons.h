@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 
-#include "output/Described_shapes.h"
+#include "output/writers.h"
 
 #include <nlohmann/json.hpp>
 
