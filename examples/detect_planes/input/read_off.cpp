@@ -92,7 +92,7 @@ void read_off(Byte_source& file, const Input_settings& settings, Point_set& poin
       throw_error("unreadable after point ", i, " of ", head.points);
     builder.add(row);
   }
-  const bool is_sampled = samples_faces(head.faces, settings, notes);
+  const bool is_sampled = settings.sample.value_or(0) > 0;
   Mesh_faces faces(points);
   for(std::size_t i = 0; i < head.faces; ++i) {
     if(!next_row(lines))
@@ -100,7 +100,7 @@ void read_off(Byte_source& file, const Input_settings& settings, Point_set& poin
     if(is_sampled)
       faces.add(corners_of(i + 1, lines.row().text));
   }
-  if(is_sampled)
+  if(samples_faces(head.faces, settings, notes))
     points = faces.sample(settings, notes);
 }
 
