@@ -136,7 +136,7 @@ struct Text_row {
 // file ends: elsewhere it would make one line of many.
 class Text_lines {
 public:
-  explicit Text_lines(Input_buffer& in) : in(&in) {}
+  explicit Text_lines(Input_buffer& in) : in(&in) { this->in.exceptions(std::ios::badbit); } // of the file
 
   bool next()
   {
