@@ -74,15 +74,14 @@ public:
   Noise_model parse()
   {
     Noise_model noise;
-    skip_blanks();
+    skip("");
     do
       read_term(noise);
     while(!rest.empty());
     if(noise.c == std::array<double, 3>())
       fail("is 0 at every range");
-    for(double c : noise.c)
-      if(!std::isfinite(c))
-        fail("has too large a number");
+    if(!std::all_of(noise.c.begin(), noise.c.end(), [](double c) { return std::isfinite(c); }))
+      fail("has too large a number");
     return noise;
   }
 
@@ -93,71 +92,69 @@ private:
                              "; it must be a sum of numbers and powers of the range r, as in 0.001 + 0.0028*r^2");
   }
 
-  void skip_blanks() { rest.remove_prefix((std::min)(rest.find_first_not_of(" \t\r\n"), rest.size())); }
+  [[noreturn]] void fail_where(const char* expected) const
+  {
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t+-*")).substr(0, 20);
+    fail(rest.empty() ? text_of("ends where ", expected, " is expected")
+                      : text_of("has '", word, "' where ", expected, " is expected"));
+  }
 
+  bool is_at(std::string_view letters) const { return !rest.empty() && letters.find(rest[0]) != letters.npos; }
+
+  // And the blanks behind it.
   bool skip(std::string_view token)
   {
     if(rest.substr(0, token.size()) != token)
       return false;
     rest.remove_prefix(token.size());
-    skip_blanks();
+    rest.remove_prefix((std::min)(rest.find_first_not_of(" \t\r\n"), rest.size()));
     return true;
   }
 
-  bool is_at_sign() const { return !rest.empty() && (rest[0] == '+' || rest[0] == '-'); }
-  bool is_at_range() const { return !rest.empty() && (rest[0] == 'r' || rest[0] == 'R'); }
+  template <class Number>
+  bool read(Number& number)
+  {
+    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    return end.ec == std::errc() && skip(rest.substr(0, std::size_t(end.ptr - rest.data())));
+  }
 
   void read_term(Noise_model& noise)
   {
     double value = 1;
-    std::size_t power = 0;
+    unsigned power = 0;
     read_factor(value, power);
-    while(skip("*") || is_at_range())
+    while(skip("*") || is_at("rR"))
       read_factor(value, power);
-    if(!rest.empty() && !is_at_sign())
-      fail("has '" + next_word() + "' where + or - is expected");
+    if(!rest.empty() && !is_at("+-"))
+      fail_where("+ or -");
     if(power >= noise.c.size())
       fail("has r^" + std::to_string(power) + ", and the largest power is r^2");
     noise.c[power] += value;
   }
 
   // May have several signs, as in + -0.001.
-  void read_factor(double& value, std::size_t& power)
+  void read_factor(double& value, unsigned& power)
   {
-    while(is_at_sign())
-      value = skip("-") ? -value : (skip("+"), value);
-    if(skip("r") || skip("R")) {
-      power += read_power();
-      return;
-    }
     double number = 0;
-    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if(end.ec == std::errc::result_out_of_range)
-      fail("has a number out of range");
-    if(end.ec != std::errc() || !std::isfinite(number))
-      fail(rest.empty() ? "ends where a number or r is expected"
-                        : "has '" + next_word() + "' where a number or r is expected");
-    rest.remove_prefix(std::size_t(end.ptr - rest.data()));
-    skip_blanks();
-    value *= number;
+    while(is_at("+-"))
+      value = skip("-") ? -value : (skip("+"), value);
+    if(skip("r") || skip("R"))
+      power += read_power();
+    else if(is_at("inIN") || !read(number)) // neither inf nor nan
+      fail_where("a number or r");
+    else
+      value *= number;
   }
 
-  std::size_t read_power()
+  unsigned read_power()
   {
+    unsigned power = 1;
     if(skip("\u00b2"))
       return 2;
-    if(!skip("^") && !skip("**"))
-      return 1;
-    unsigned power = 0;
-    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), power);
-    if(end.ec != std::errc() || power > 100)
+    if((skip("^") || skip("**")) && (!read(power) || power > 100))
       fail("has no power behind r^");
-    rest.remove_prefix(std::size_t(end.ptr - rest.data()));
-    skip_blanks();
     return power;
   }
-
-  std::string next_word() const { return std::string(rest.substr(0, rest.find_first_of(" \t+-*")).substr(0, 20)); }
 
   std::string_view text, rest;
 };

@@ -14,8 +14,10 @@
 
 #include <CGAL/Tandem/check_parameters.h>
 
-#include <istream>
-#include <locale>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
 #include <map>
 #include <set>
 #include <tuple>
@@ -24,69 +26,21 @@ namespace program {
 
 // --- Values of options that are lists: directions, a place, and how clouds are read.
 
-// Whether the text is three finite numbers with commas between them, and nothing else.
-inline bool read_three(const std::string& text, std::array<double, 3>& d)
+// What is between the commas of a text, without blanks around it.
+inline std::vector<std::string> parts_of(const std::string& text)
 {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  char first = 0, second = 0;
-  if(!(in >> d[0] >> first >> d[1] >> second >> d[2]) || first != ',' || second != ',')
-    return false;
-  in >> std::ws;
-  return in.eof();
-}
-
-inline std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
-{
-  std::array<double, 3> direction = {};
-  if(!read_three(text, direction) || direction == std::array<double, 3>())
-    throw_error<Usage_error>("--", option, " is '", text,
-                             "', must be three numbers with commas between them, not all 0, as in 0,0,1");
-  return direction;
-}
-
-inline std::array<double, 3> parse_place(const std::string& option, const std::string& text)
-{
-  std::array<double, 3> place = {};
-  if(!read_three(text, place))
-    throw_error<Usage_error>("--", option, " is '", text,
-                             "', must be three numbers with commas between them, as in 2.5,-1,1.6");
-  return place;
-}
-
-constexpr int no_class = -1;
-
-inline int class_of(const std::string& word)
-{
-  const bool is_number = !word.empty() && word.size() <= 3 && word.find_first_not_of("0123456789") == word.npos;
-  return is_number && std::stoi(word) <= 255 ? std::stoi(word) : no_class;
-}
-
-// The value of --classes: numbers from 0 to 255 with commas or blanks between them.
-inline std::vector<int> parse_classes(const std::string& text)
-{
-  std::vector<int> classes;
-  std::istringstream parts(text + ','); // with a part after the last comma, too
-  for(std::string part, word; std::getline(parts, part, ',');) {
-    std::istringstream words(part);
-    words >> word;
-    classes.push_back(words ? class_of(word) : no_class);
-    while(words >> word)
-      classes.push_back(class_of(word));
-  }
-  if(std::count(classes.begin(), classes.end(), no_class) > 0)
-    throw_error<Usage_error>("--classes is '", text,
-                             "', must be numbers from 0 to 255 with commas between them, as in 2,6");
-  return classes;
+  std::vector<std::string> parts;
+  boost::split(parts, text, boost::is_any_of(","));
+  for(std::string& part : parts)
+    boost::trim(part);
+  return parts;
 }
 
 // The numbers with commas between them, which may be infinite; none if something else is there.
 inline std::vector<double> read_numbers(const std::string& text)
 {
   std::vector<double> numbers;
-  std::istringstream parts(text + ','); // with a part after the last comma, too
-  for(std::string part; std::getline(parts, part, ',');) {
-    part.erase(std::remove(part.begin(), part.end(), ' '), part.end());
+  for(const std::string& part : parts_of(text)) {
     const std::optional<double> number = parse_number(part);
     if(!number || std::isnan(*number))
       return {};
@@ -95,21 +49,76 @@ inline std::vector<double> read_numbers(const std::string& text)
   return numbers;
 }
 
+// Whether these are three finite numbers first.
+inline bool begin_with_three(const std::vector<double>& numbers, std::array<double, 3>& d)
+{
+  if(numbers.size() < 3 ||
+     !std::all_of(numbers.begin(), numbers.begin() + 3, [](double x) { return std::isfinite(x); }))
+    return false;
+  std::copy_n(numbers.begin(), 3, d.begin());
+  return true;
+}
+
+enum class Three { direction, place };
+
+inline std::array<double, 3> parse_three(const char* option, const std::string& text, Three kind)
+{
+  const std::vector<double> numbers = read_numbers(text);
+  std::array<double, 3> d = {};
+  const bool is_direction = kind == Three::direction;
+  if(numbers.size() != 3 || !begin_with_three(numbers, d) || (is_direction && d == std::array<double, 3>()))
+    throw_error<Usage_error>("--", option, " is '", text, "', must be three numbers with commas between them, ",
+                             is_direction ? "not all 0, as in 0,0,1" : "as in 2.5,-1,1.6");
+  return d;
+}
+
+// The value of --near-direction.
+inline Direction_choice parse_near_direction(const std::string& text)
+{
+  const std::string word = text.substr(0, text.find(','));
+  Direction_choice choice;
+  choice.text = text;
+  choice.of = word == "vertical"     ? Direction_choice::vertical
+              : word == "horizontal" ? Direction_choice::horizontal
+                                     : Direction_choice::direction;
+  const bool is_named = choice.of != Direction_choice::direction;
+  const std::vector<double> numbers = read_numbers(is_named ? "0,0,1" + text.substr(word.size()) : text);
+  bool is_right = begin_with_three(numbers, choice.normal) && choice.normal != std::array<double, 3>();
+  if(is_right && numbers.size() > 3) {
+    choice.degrees = numbers[3];
+    is_right = numbers.size() == 4 && numbers[3] >= 0 && numbers[3] <= 90;
+  }
+  if(!is_right)
+    throw_error<Usage_error>(
+      "--near-direction is '", text,
+      "', must be X,Y,Z, not all 0, vertical or horizontal, or one of these with ,DEG from 0 to 90");
+  return choice;
+}
+
+// The value of --classes: numbers from 0 to 255 with commas or blanks between them.
+inline std::vector<int> parse_classes(const std::string& text)
+{
+  std::vector<int> classes;
+  std::vector<std::string> words;
+  for(const std::string& part : parts_of(text))
+    for(const std::string& word : boost::split(words, part, boost::is_space(), boost::token_compress_on)) {
+      const bool is_number = !word.empty() && word.size() <= 3 && std::all_of(word.begin(), word.end(), is_digit);
+      if(!is_number || std::stoi(word) > 255)
+        throw_error<Usage_error>("--classes is '", text,
+                                 "', must be numbers from 0 to 255 with commas between them, as in 2,6");
+      classes.push_back(std::stoi(word));
+    }
+  return classes;
+}
+
 // The value of --crop.
-inline Input_box parse_box(const std::string& text)
+inline Box parse_box(const std::string& text)
 {
   const std::vector<double> sides = read_numbers(text);
-  Input_box box;
-  bool is_box = sides.size() == 6;
-  for(std::size_t c = 0; c < 3 && is_box; ++c) {
-    box.low[c] = sides[c];
-    box.high[c] = sides[c + 3];
-    is_box = box.low[c] <= box.high[c];
-  }
-  if(!is_box)
+  if(sides.size() != 6 || sides[0] > sides[3] || sides[1] > sides[4] || sides[2] > sides[5])
     throw_error<Usage_error>("--crop is '", text,
                              "', must be XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX: six numbers, no minimum above its maximum");
-  return box;
+  return Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]);
 }
 
 // The value of --format, as an extension.
@@ -153,6 +162,29 @@ inline Input_settings input_settings(const Options& o)
 
 // ---
 
+// An option that names a file that is written.
+struct Output_option {
+  const char* name;
+  std::string Options::*path;
+  bool needs_all_points;               // in one process
+  std::vector<std::string> extensions; // that it may have; none: any
+};
+
+inline const std::vector<Output_option>& output_options()
+{
+  static const std::vector<Output_option> options = {
+    {"output", &Options::output, true, {}},
+    {"labels", &Options::labels, true, {}},
+    {"planes", &Options::planes, false, {}},
+    {"report", &Options::report, false, {}},
+    {"vg", &Options::vg, true, {}},
+    {"polygons", &Options::polygons, true, {".geojson", ".json", ".ply", ".obj", ".off"}},
+    {"shapes", &Options::shapes, true, {".csv"}},
+    {"mesh", &Options::mesh, true, {".off", ".obj", ".ply"}},
+    {"view", &Options::view, true, {".html", ".htm"}}};
+  return options;
+}
+
 // The same file under two names is found as well; devices and pipes may serve twice.
 inline void check_files(const Options& o)
 {
@@ -162,8 +194,9 @@ inline void check_files(const Options& o)
   if(!o.output_directory.empty())
     for(const std::string& input : o.inputs)
       names.push_back(output_of_input(o.output_directory, input));
-  names.insert(names.end(),
-               {o.output, o.planes_from, o.labels, o.planes, o.report, o.vg, o.polygons, o.shapes, o.mesh, o.view});
+  names.push_back(o.planes_from);
+  for(const Output_option& option : output_options())
+    names.push_back(o.*option.path);
   for(const std::string& name : names) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
@@ -199,19 +232,16 @@ inline void check_directory(const Options& o)
   }
 }
 
-// A file of that name would surprise those who know - as standard input or output. The other outputs have formats.
+// A file of that name would surprise those who know - as standard input or output.
 inline void check_dashes(const Options& o)
 {
-  for(const std::string& path : o.inputs)
-    if(path == "-")
-      throw Usage_error("INPUT is '-', must be the name of a file");
-  const std::pair<const char*, std::string> outputs[] = {
-    {"output", o.output}, {"labels", o.labels}, {"planes", o.planes}, {"vg", o.vg}, {"report", o.report}};
+  if(std::count(o.inputs.begin(), o.inputs.end(), "-") > 0)
+    throw Usage_error("INPUT is '-', must be the name of a file");
   if(o.output_directory == "-")
     throw Usage_error("--output-directory is '-', must be the name of a folder");
-  for(const auto& [name, path] : outputs)
-    if(path == "-")
-      throw_error<Usage_error>("--", name,
+  for(const Output_option& option : output_options())
+    if(option.extensions.empty() && o.*option.path == "-")
+      throw_error<Usage_error>("--", option.name,
                                " is '-', must be the name of a file (that of standard output is /dev/stdout)");
 }
 
@@ -229,6 +259,11 @@ inline void check_positive(const char* name, const std::optional<double>& value)
                              CGAL::Tandem::to_text(CGAL::Tandem::largest_length));
 }
 
+inline bool is_one_of(const std::string& word, const std::vector<std::string>& words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 // As in: auto, sequential or parallel.
 inline std::string one_of(const std::vector<std::string>& words)
 {
@@ -242,16 +277,14 @@ inline std::string one_of(const std::vector<std::string>& words)
 inline void check_word(const char* name, const std::string& word, const std::vector<std::string>& known,
                        const std::vector<std::string>& built)
 {
-  if(!word.empty() && !built.empty() && std::find(known.begin(), known.end(), word) == known.end())
+  if(!word.empty() && !built.empty() && !is_one_of(word, known))
     throw_error<Usage_error>("--", name, " is '", word, "', must be ", one_of(built));
 }
 
 inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
 {
-  const std::string extension = lower_case_extension(path);
-  if(path.empty() || std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
-    return;
-  throw_error<Usage_error>("--", name, " is '", path, "', must end in ", one_of(extensions));
+  if(!path.empty() && !is_one_of(lower_case_extension(path), extensions))
+    throw_error<Usage_error>("--", name, " is '", path, "', must end in ", one_of(extensions));
 }
 
 // A name that every format can have, and that no reader takes for something else.
@@ -268,7 +301,7 @@ inline void check_label_property(const std::string& name)
                                            "pointsourceid",     "keypoint",  "scanangle",   "scananglerank",
                                            "scandirectionflag", "synthetic", "withheld",    "edgeofflightline",
                                            "scannerchannel",    "overlap",   "pointformat", "nearinfrared"};
-  if(column_of_name(name) != Column::none || std::find(others.begin(), others.end(), plain_name(name)) != others.end())
+  if(column_of_name(name) != Column::none || is_one_of(plain_name(name), others))
     throw_error<Usage_error>("--label-property is '", name, "', which is the name of something else in clouds");
 }
 
@@ -291,10 +324,9 @@ inline void check_tolerances(const Options& o)
 
 inline void check_formats(const Options& o, const Built_with& built)
 {
-  check_format("shapes", o.shapes, {".csv"});
-  check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj", ".off"});
-  check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
-  check_format("view", o.view, {".html", ".htm"});
+  for(const Output_option& option : output_options())
+    if(!option.extensions.empty())
+      check_format(option.name, o.*option.path, option.extensions);
   if(!is_known_output(o.output)) {
     std::vector<std::string> outputs(output_extensions.begin(), output_extensions.end());
     if(!built.laszip)
@@ -353,25 +385,21 @@ inline void check_ranks(const Options& o)
 {
   const bool has_pca = o.estimate_normals && *o.estimate_normals != by_library;
   const std::string alone = ": run it without mpirun";
-  const std::tuple<bool, const char*, std::string> needs[] = {
+  std::vector<std::tuple<bool, const char*, std::string>> needs = {
     {!o.output.empty(), "output", ": several write them with --output-directory"},
-    {!o.labels.empty(), "labels", alone},
-    {!o.vg.empty(), "vg", alone},
-    {!o.polygons.empty(), "polygons", alone},
-    {!o.shapes.empty(), "shapes", alone},
-    {!o.mesh.empty(), "mesh", alone},
-    {!o.view.empty(), "view", alone},
     {o.is_by_plane, "by-plane", alone},
     {has_pca, "estimate-normals with a number", ""},
     {!o.planes_from.empty(), "planes-from", alone},
     {bool(o.minimum_area), "minimum-area", alone},
     {bool(o.minimum_extent), "minimum-extent", alone}};
+  for(const Output_option& option : output_options())
+    needs.emplace_back(option.needs_all_points && !(o.*option.path).empty(), option.name, alone);
   for(const auto& [is_given, name, advice] : needs)
     if(is_given)
       throw_error<Usage_error>("--", name, " needs all points in one process", advice);
   if(o.backend == "cuda" && !has_mpi_cuda)
-    throw Usage_error("--backend is 'cuda', which is for one process: this program was built without "
-                      "Tandem::tandem_mpi_cuda");
+    throw Usage_error(
+      "--backend is 'cuda', which is for one process: this program was built without Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

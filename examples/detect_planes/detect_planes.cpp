@@ -4,8 +4,8 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
-#include "detect_on_backend.h"
-#include "output/Output_files.h"
+#include "detection.h"
+#include "output/Output_file.h"
 #include "program_options.h"
 #include "ranks/read_inputs.h"
 #include "shapes_of_outputs.h"
@@ -13,30 +13,150 @@
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 
+#include <deque>
+
 namespace program {
 
-// What Planar_shapes_3::hash() is for the points of all ranks, in the order of the inputs: from file to file, the rank
-// that has it goes on.
-class Hash_of_all {
+// The files to be written, opened before the work starts, so that a bad name costs no time. What one process writes for
+// all is written by the first one, the file of an input by the one that has read it.
+class Output_files {
 public:
-  Hash_of_all(const std::vector<Input_part>& parts, const std::vector<int>& rank_of_input, const Ranks& ranks)
-    : parts(parts), rank_of_input(rank_of_input), ranks(ranks)
-  {}
-
-  std::uint64_t operator()(const Shapes& shapes)
+  // Before this, --output-directory has been made.
+  Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
-    hash = Shapes::hash(std::vector<std::int32_t>(), {});
-    add(shapes.data().shape_of);
-    Shapes::add_to_hash(hash, shapes.data().coefficients);
-    add(shapes.data().normal);
-    return hash;
+    if(!o.output_directory.empty())
+      try_files_of_inputs();
+    if(is_first) // some of them may be in that folder
+      open_files_of_all();
+  }
+
+  // But for the mesh.
+  bool is_empty() const { return files.empty() && options.output_directory.empty(); }
+
+  // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
+  void write(const Shapes& shapes, Run& run)
+  {
+    const Described_shapes described(cloud.points, shapes);
+    if(!options.polygons.empty() && described.areas().number_of_empty_entries() > 0)
+      run.warnings.push_back(why_empty(described.areas()));
+    for(std::size_t i = 0; i < writers.size(); ++i)
+      write_file(i, described, run);
+    if(!options.output_directory.empty())
+      for(const Input_part& part : cloud.parts)
+        write_part(part, shapes);
+  }
+
+  // Gives the files their names.
+  void commit()
+  {
+    for(Output_file& file : files)
+      file.commit();
+  }
+
+  // The surface may take long, or not be there, and then the others are complete.
+  std::optional<Mesh_facts> write_mesh(const Shapes& shapes)
+  {
+    if(!mesh)
+      return std::nullopt;
+    Mesh_facts facts;
+    mesh->write([&](std::ostream& out) { facts = program::write_mesh(out, cloud.points, shapes, options); });
+    check_signals();
+    mesh->commit();
+    return facts;
   }
 
 private:
-  // A table of the own points, or an empty one.
-  template <class Table>
-  void add(const Table& table)
+  using Writer = std::function<void(std::ostream&, const Described_shapes&, const Run&)>;
+
+  void open_files_of_all()
   {
+    const Options& o = options;
+    open(o.output, [this](std::ostream& out, const Described_shapes& d, const Run&) {
+      write_points(out, options.output, 0, cloud.points.size(), d.shapes, first_las_frame(cloud));
+    });
+    open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) { write_labels(out, d.shapes); });
+    open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_planes(out, d.shapes); });
+    open(o.shapes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_shape_table(out, d.table()); });
+    open(o.vg, [this](std::ostream& out, const Described_shapes& d, const Run&) {
+      write_vg(out, d.points, options.has_group_for_each_plane ? joined_shapes(d.points, d.shapes) : d.shapes);
+    });
+    open(o.polygons, [this](std::ostream& out, const Described_shapes& d, const Run&) {
+      const Faces_of_file faces = options.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons;
+      write_polygons(out, d, {lower_case_extension(options.polygons), faces, options.crs});
+    });
+    open(o.view, &write_view);
+    open(o.report,
+         [](std::ostream& out, const Described_shapes& d, const Run& run) { write_report(out, d.shapes, run); });
+    if(!o.mesh.empty())
+      mesh.emplace(o.mesh);
+  }
+
+  void open(const std::string& path, const Writer& writer)
+  {
+    if(path.empty())
+      return;
+    files.emplace_back(path);
+    writers.push_back(writer);
+  }
+
+  // There may be more files than a process can have open: they are opened, and closed again.
+  void try_files_of_inputs() const
+  {
+    for(const Input_part& part : cloud.parts)
+      Output_file(output_of(part));
+  }
+
+  std::string output_of(const Input_part& part) const
+  {
+    return output_of_input(options.output_directory, options.inputs[part.input]);
+  }
+
+  void write_file(std::size_t i, const Described_shapes& described, const Run& run)
+  {
+    check_signals();
+    files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
+  }
+
+  void write_part(const Input_part& part, const Shapes& shapes)
+  {
+    check_signals();
+    files.emplace_back(output_of(part));
+    files.back().write([&](std::ostream& out) {
+      write_points(out, output_of(part), part.first, part.last, shapes, part.notes.las_frame);
+    });
+  }
+
+  // Those of a part of the cloud.
+  void write_points(std::ostream& out, const std::string& path, std::size_t first, std::size_t last,
+                    const Shapes& shapes, const std::optional<Las_frame>& frame) const
+  {
+    write_cloud(out, cloud.points, Point_part(cloud.points, first, last), shapes,
+                {output_extension(path), options.colors, options.label_property, frame});
+  }
+
+  static std::optional<Las_frame> first_las_frame(const Input_cloud& cloud)
+  {
+    for(const Input_part& part : cloud.parts)
+      if(part.notes.las_frame)
+        return part.notes.las_frame;
+    return std::nullopt;
+  }
+
+  const Options& options;
+  const Input_cloud& cloud;
+  std::deque<Output_file> files; // a file does not move
+  std::vector<Writer> writers;   // of the first files
+  std::optional<Output_file> mesh;
+};
+
+// What Planar_shapes_3::hash() is for the points of all ranks, in the order of the inputs: from file to file, the rank
+// that has it goes on.
+std::uint64_t hash_of_all(const Shapes& shapes, const std::vector<Input_part>& parts,
+                          const std::vector<int>& rank_of_input, const Ranks& ranks)
+{
+  std::uint64_t hash = Shapes::hash(std::vector<std::int32_t>(), {});
+  // A table of the own points, or an empty one.
+  const auto add = [&](const auto& table) {
     auto part = parts.begin();
     for(std::size_t input = 0; input < rank_of_input.size(); ++input) {
       if(part != parts.end() && part->input == input) {
@@ -46,13 +166,12 @@ private:
       }
       hash = ranks.number_of(rank_of_input[input], hash);
     }
-  }
-
-  const std::vector<Input_part>& parts;
-  const std::vector<int>& rank_of_input;
-  const Ranks& ranks;
-  std::uint64_t hash = 0;
-};
+  };
+  add(shapes.data().shape_of);
+  Shapes::add_to_hash(hash, shapes.data().coefficients);
+  add(shapes.data().normal);
+  return hash;
+}
 
 // ---
 
@@ -151,8 +270,9 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   Input_cloud cloud;
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);
-  Hidden_zeros zeros(o.ignores_zeros, cloud.points, ranks);
-  run.zeros = zeros.number_of_all();
+  std::vector<Point_set::Index> hidden;
+  if(o.ignores_zeros)
+    hidden = hide_zeros(cloud.points, ranks, run.zeros);
   std::optional<Output_files> files;
   make_directory(o, ranks, folders);
   ranks.together([&] {
@@ -171,14 +291,15 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   add_sentence(warnings, sides.warning());
   ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
   add_sentence(warnings, warning_of_planes(cloud.points, *shapes, o));
-  run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
+  run.hash = ranks.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, ranks) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
   for(const std::string& warning : warnings) {
     if(ranks.is_first())
       warn(warning);
     run.warnings.push_back(warning);
   }
-  zeros.show();
+  for(Point_set::Index i : hidden)
+    cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
   const Shapes& sided = sides(*shapes);
   ranks.together([&] { write_files(*files, sided, o, ranks.is_first(), run); });
   ranks.together([&] {

@@ -1,17 +1,29 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The detection with what the command line says.
+// The shapes of a cloud: detected as the command line says, on the back end that was chosen, or those of planes that are
+// known.
 
 #ifndef DETECT_PLANES_DETECTION_H
 #define DETECT_PLANES_DETECTION_H
 
-#include "signals.h"
-#include "tolerance/Tolerances.h"
+#include "check_options.h"
+#include "output/writers.h"
+#include "warnings.h"
 
+#include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/pca_estimate_normals.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
 
 namespace program {
 
@@ -117,6 +129,226 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
   if(o.maximum_offset)
     return detect_with<Tag>(points, all.maximum_offset(*o.maximum_offset));
   return detect_with<Tag>(points, all);
+}
+
+// While it lives, oneTBB has at most so many threads; 0: one for each processor.
+class Thread_limit {
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Thread_limit(int most) : number(tbb::this_task_arena::max_concurrency())
+  {
+    if(most <= 0)
+      return;
+    control.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(most));
+    number = (std::min)(number, most);
+  }
+
+  int threads() const { return number; }
+
+private:
+  std::optional<tbb::global_control> control;
+  int number;
+#else
+  explicit Thread_limit(int) {}
+  int threads() const { return 1; }
+#endif
+};
+
+// --- Finds what the program, as it is built, or this machine cannot do, before any work.
+
+// What is not built is bad usage, as a device that is not there is none.
+inline void check_backend(const Options& o)
+{
+  const std::vector<std::string> built = built_with().backends();
+  if(std::find(built.begin(), built.end(), o.backend) == built.end())
+    throw_error<Usage_error>("--backend ", o.backend, " needs ", (o.backend == "cuda" ? "CUDA" : "oneTBB"),
+                             ": this program was built without it");
+  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw_error("the back end cuda cannot be used: ", CGAL::Tandem::cuda_device_report(),
+                " (--backend auto takes what there is)");
+}
+
+inline void check_program(const Options& o, const Ranks& ranks)
+{
+  parameters_of(o);
+  if(ranks.are_many())
+    check_ranks(o);
+  check_backend(o);
+  if(output_extension(o.output) == ".laz" && !has_laszip)
+    throw_error<Usage_error>(o.output,
+                             ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
+  if(!o.view.empty() && !has_view)
+    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
+}
+
+// --- Planes from a file, as --planes writes them, or from the columns a, b, c, d of a table with a line of names.
+
+using Cells = std::vector<std::string_view>;
+using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
+
+inline bool are_numbers(const Cells& cells)
+{
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
+
+inline Plane_columns columns_of_planes(const Text_row& row, const Cells& names)
+{
+  Plane_columns columns;
+  for(std::size_t c = 0; c < 4; ++c) {
+    columns[c] =
+      std::size_t(std::find(names.begin(), names.end(), std::string_view("abcd").substr(c, 1)) - names.begin());
+    if(columns[c] == names.size())
+      fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
+  }
+  return columns;
+}
+
+inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cells, const Plane_columns& columns)
+{
+  CGAL::Tandem::Coefficients plane;
+  for(std::size_t c = 0; c < 4; ++c) {
+    const std::string_view cell = cells[columns[c]];
+    const std::optional<double> number = parse_number(cell);
+    if(!number || !std::isfinite(*number))
+      fail_at_row(row.number, "has '" + std::string(cell.substr(0, 40)) + "' where a finite number is expected");
+    plane[c] = *number;
+  }
+  const double largest = (std::max)({std::fabs(plane[0]), std::fabs(plane[1]), std::fabs(plane[2])});
+  if(largest == 0)
+    fail_at_row(row.number, "has a null vector as normal");
+  if(!std::isfinite(plane[3] / largest))
+    fail_at_row(row.number, "has a plane whose distance from the origin is not finite");
+  return plane;
+}
+
+// The first row may have names instead of numbers.
+inline std::vector<CGAL::Tandem::Coefficients> read_planes(Text_lines& lines)
+{
+  std::vector<CGAL::Tandem::Coefficients> planes;
+  Plane_columns columns = {0, 1, 2, 3};
+  std::size_t values = 0; // of each row
+  while(lines.next_filled()) {
+    const Text_row& row = lines.row();
+    const Cells cells = values_of(row.text);
+    if(is_comment(row.text))
+      continue;
+    if(values == 0 && !are_numbers(cells)) {
+      columns = columns_of_planes(row, cells);
+      values = cells.size();
+      continue;
+    }
+    values = values == 0 ? 4 : values;
+    if(cells.size() != values)
+      fail_at_row(row.number, "has " + std::to_string(cells.size()) + " values instead of " + std::to_string(values));
+    planes.push_back(plane_of(row, cells, columns));
+  }
+  if(planes.empty())
+    throw std::runtime_error("has no planes");
+  return planes;
+}
+
+inline void read_known_planes(Options& o)
+try {
+  if(o.planes_from.empty())
+    return;
+  File_source file(o.planes_from);
+  Input_buffer bytes(file);
+  Text_lines lines(bytes);
+  o.known_planes = read_planes(lines);
+} catch(const std::runtime_error& e) {
+  throw_error("--planes-from ", o.planes_from, ": ", e.what());
+}
+
+// --- The normals that the detection gets: those of the input, or none, or others than those of the library.
+
+// The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
+inline void estimate_normals_by_pca(Point_set& points, unsigned int k)
+{
+  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  std::vector<Item> finite;
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i)))
+      finite.emplace_back(points.point(i), CGAL::NULL_VECTOR);
+  CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
+    finite, k,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
+      .normal_map(CGAL::Second_of_pair_property_map<Item>()));
+  points.add_normal_map();
+  auto next = finite.begin();
+  for(Point_set::Index i : points)
+    points.normal(i) = is_finite(points.point(i)) ? (next++)->second : Kernel::Vector_3(CGAL::NULL_VECTOR);
+}
+
+inline void prepare_normals(Point_set& points, const Options& o, Run& run)
+{
+  run.normals = points.has_normal_map() ? "given" : o.known_planes.empty() ? "estimated" : "none";
+  if(!o.estimate_normals)
+    return;
+  points.remove_normal_map();
+  run.normals = "estimated";
+  if(*o.estimate_normals == by_library)
+    return;
+  CGAL::Real_timer timer;
+  timer.start();
+  estimate_normals_by_pca(points, unsigned(*o.estimate_normals));
+  run.normals = "by PCA of " + std::to_string(*o.estimate_normals) + " neighbors";
+  run.normal_seconds = timer.time();
+}
+
+// ---
+
+// An automatic distance is estimated here, once. Where the noise varies, it is one for each point.
+inline void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
+{
+  if(o.maximum_distance || has_tolerance_of_each_point(o))
+    return;
+  const CGAL::Tandem::Distance_estimate estimate = ranks.are_many()
+                                                     ? ranks.estimate_distance(points, o)
+                                                     : estimate_distance<CGAL::Parallel_if_available_tag>(points, o);
+  o.estimate_note = with_options(estimate.note);
+  if(estimate.noise_varies) {
+    o.has_local_distances = true;
+    o.estimated_distance = 0; // the tolerances bound it
+    o.estimate_note = estimate.note.substr(0, estimate.note.find(':')) +
+                      ": each point has a tolerance of its own (--maximum-distance D is one for all)";
+  }
+}
+
+template <class Tag>
+Shapes label_with(const Point_set& points, const Options& o)
+{
+  if(o.has_local_distances)
+    estimate_tolerances<Tag>(points, o);
+  const auto all = CGAL::Tandem::parameters::settings(parameters_of(o));
+  if(const auto tolerances = find_property<double>(points, tolerance_name))
+    return CGAL::Tandem::shapes_of_planes<Tag>(o.known_planes, points, all.maximum_distance_map(*tolerances));
+  return CGAL::Tandem::shapes_of_planes<Tag>(o.known_planes, points, all);
+}
+
+// Only the points tell whether a given distance is too small for them.
+inline Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
+try {
+  Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
+  if(!o.known_planes.empty())
+    return o.backend == "sequential" ? label_with<CGAL::Sequential_tag>(points, o)
+                                     : label_with<CGAL::Parallel_if_available_tag>(points, o);
+  if(ranks.are_many())
+    return ranks.detect(points, o, progress);
+  if constexpr(has_cuda) {
+    if(o.backend == "cuda")
+      return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
+    if(o.backend == "auto")
+      return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
+  }
+  return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
+                                   : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
+} catch(const std::range_error& e) {
+  const std::string message = e.what(), parameter = "maximum_distance";
+  const Cloud_box own = box_of(points, Ranks());
+  throw_error((message.compare(0, parameter.size(), parameter) == 0
+                 ? "--maximum-distance" + message.substr(parameter.size())
+                 : message),
+              (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
 } // namespace program

@@ -13,20 +13,14 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
 #include <iomanip>
 #include <iostream>
 #include <mutex>
-#include <ostream>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <thread>
-#include <utility>
-
-#ifdef __unix__
 #include <unistd.h>
-#endif
+#include <utility>
 
 namespace program {
 
@@ -90,29 +84,6 @@ inline int fail(int code, const char* message, const char* advice = "")
 
 inline void warn(std::string_view message) { print_message("detect_planes: warning: ", message); }
 
-// CGAL reports on std::cerr; its message becomes part of our one line. Some of it reports on std::cout.
-class Captured_messages {
-public:
-  explicit Captured_messages(std::ostream& stream = std::cerr)
-    : stream(stream), precision(stream.precision()), previous(stream.rdbuf(text.rdbuf()))
-  {}
-  ~Captured_messages()
-  {
-    stream.rdbuf(previous);
-    stream.precision(precision);
-  }
-  Captured_messages(const Captured_messages&) = delete;
-  Captured_messages& operator=(const Captured_messages&) = delete;
-
-  std::string first_line() const { return text.str().substr(0, text.str().find('\n')); }
-
-private:
-  std::ostream& stream;
-  std::ostringstream text;
-  std::streamsize precision;
-  std::streambuf* previous;
-};
-
 // ---
 
 inline const char* name_of(CGAL::Tandem::Detection_stage stage)
@@ -129,7 +100,7 @@ class Progress_line {
 public:
   Progress_line(bool is_wanted, std::string what) : work(std::move(what))
   {
-    if(is_wanted && is_terminal())
+    if(is_wanted && isatty(STDERR_FILENO) != 0)
       drawer = std::thread([this] { draw_until_end(); });
   }
 
@@ -158,15 +129,6 @@ public:
   }
 
 private:
-  static bool is_terminal()
-  {
-#ifdef __unix__
-    return isatty(STDERR_FILENO) != 0;
-#else
-    return false;
-#endif
-  }
-
   void draw_until_end()
   {
     std::unique_lock<std::mutex> lock(mutex);

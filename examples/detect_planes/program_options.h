@@ -22,6 +22,13 @@ inline auto text_option(std::string& target, const char* name)
   return po::value<std::string>(&target)->value_name(name);
 }
 
+// Its value goes to use(text).
+template <class Use>
+auto parsed_option(const char* name, const Use& use)
+{
+  return po::value<std::string>()->value_name(name)->notifier(use);
+}
+
 template <class Number>
 auto number_option(std::optional<Number>& target, const char* name)
 {
@@ -35,10 +42,9 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
   const std::string las = built.laszip ? ".las and .laz" : ".las";
   po::options_description group("Input");
   auto add = group.add_options();
-  add(
-    "format", text_option(o.format, "NAME"),
-    "read all inputs as this format, whatever their names end in: ply, las, pcd, off, ptx, xyz or another extension of "
-    "a text table");
+  add("format", text_option(o.format, "NAME"),
+      "read all inputs as this format, whatever their names end in: ply, las, pcd, off, ptx, xyz or another extension "
+      "of a text table");
   add("columns", text_option(o.columns, "NAMES"),
       "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
       "(default: from a line of names, or from the values; the output says which)");
@@ -56,9 +62,9 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
       "the points are N on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the "
       "normals of the faces; 0: the corners of the faces. Without it a file with faces is refused");
   add(
-    "viewpoint", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
-      o.viewpoint = parse_place("viewpoint", text);
-    }),
+    "viewpoint",
+    parsed_option("X,Y,Z",
+                  [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
     "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
     "sides of planes, are those towards it; for --noise the place of the sensor. It is an error for an input with "
     "normals of its own, which have a side, unless --estimate-normals or --noise is given (default: the VIEWPOINT of "
@@ -86,58 +92,31 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
 {
   std::ostringstream noise;
   noise.precision(3);
-  noise
-    << "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in \"0.001 + "
-       "0.0028*r^2\": the tolerance of each point is "
-    << CGAL::Tandem::distance_of_noise(1)
-    << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0, "
-       "or of a .ptx file of one scan";
+  noise << "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in "
+           "\"0.001 + 0.0028*r^2\": the tolerance of each point is "
+        << CGAL::Tandem::distance_of_noise(1)
+        << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 "
+           "0, or of a .ptx file of one scan";
   auto add = group.add_options();
-  add("maximum-distance",
-      po::value<std::string>()->value_name("D")->notifier([&o](const std::string& s) { set_maximum_distance(s, o); }),
+  add("maximum-distance", parsed_option("D", [&o](const std::string& s) { set_maximum_distance(s, o); }),
       "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
       "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
-      "or --noise the value that nearly all tolerances do "
-      "not exceed; or auto-local: estimated for each point, from the noise around it (default: auto)");
+      "or --noise the value that nearly all tolerances do not exceed; or auto-local: estimated for each point, from "
+      "the noise around it (default: auto)");
   add("tolerance-column", text_option(o.tolerance_column, "NAME"),
       "the largest distance of each point to the plane of its shape is that property of .ply, field of .pcd, column of "
       "a text table (of its line of names or of --columns) or extra dimension of .las. Points where it is not positive "
       "have no shape");
-  add("noise", po::value<std::string>()->value_name("SUM")->notifier([&o](const std::string& text) {
-    o.noise_text = text;
-    o.noise = parse_noise(text);
-  }),
+  add("noise",
+      parsed_option("SUM",
+                    [&o](const std::string& text) {
+                      o.noise_text = text;
+                      o.noise = parse_noise(text);
+                    }),
       noise.str().c_str());
 }
 
 // --- The options of the command line that say which of the shapes the outputs have.
-
-// The value of --near-direction.
-inline Direction_choice parse_near_direction(const std::string& text)
-{
-  const std::string word = text.substr(0, text.find(','));
-  Direction_choice choice;
-  choice.text = text;
-  choice.of = word == "vertical"     ? Direction_choice::vertical
-              : word == "horizontal" ? Direction_choice::horizontal
-                                     : Direction_choice::direction;
-  const std::size_t before_angle = choice.of == Direction_choice::direction ? 3 : 1;
-  std::vector<double> numbers = read_numbers(before_angle == 1 ? "0" + text.substr(word.size()) : text);
-  bool is_right = numbers.size() == before_angle;
-  if(numbers.size() == before_angle + 1) {
-    choice.degrees = numbers.back();
-    is_right = numbers.back() >= 0 && numbers.back() <= 90;
-  }
-  for(std::size_t c = 0; c < 3 && is_right && before_angle == 3; ++c)
-    choice.normal[c] = numbers[c];
-  for(double x : choice.normal)
-    is_right = is_right && std::isfinite(x);
-  if(!is_right || (before_angle == 3 && choice.normal == std::array<double, 3>()))
-    throw_error<Usage_error>(
-      "--near-direction is '", text,
-      "', must be X,Y,Z, not all 0, vertical or horizontal, or one of these with ,DEG from 0 to 90");
-  return choice;
-}
 
 inline void add_selection_options(po::options_description& all, Options& o)
 {
@@ -148,9 +127,8 @@ inline void add_selection_options(po::options_description& all, Options& o)
       "shapes whose points cover at least this area, in squares of the unit of the input");
   add("minimum-extent", number_option(o.minimum_extent, "L"),
       "shapes that are at least so long: the longer side of a rectangle around the points");
-  add("near-direction", po::value<std::string>()->value_name("DIRECTION")->notifier([&o](const std::string& text) {
-    o.near_direction = parse_near_direction(text);
-  }),
+  add("near-direction",
+      parsed_option("DIRECTION", [&o](const std::string& text) { o.near_direction = parse_near_direction(text); }),
       "shapes with a normal within 10 degrees of X,Y,Z, of either sign; 'vertical' are walls, and 'horizontal' floors "
       "and ceilings, by the symmetry direction, or else z, as upward. An angle may follow, as in vertical,5");
   all.add(group);
@@ -166,20 +144,18 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
     "classification kept, and its tolerance, where each has its own (not in .las): .ply or .pcd (binary), .xyz, .txt "
     "or .csv (text with a line of names), " +
     las +
-    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points "
-    "fit it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";
+    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points fit "
+    "it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";
   const std::string directory =
     std::string(
-      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, "
-      "which is made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does "
-      "not write") +
+      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, which is "
+      "made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does not write") +
     (built.gzip ? ", without .gz" : "");
   const std::string colors =
     "the colors of --output and --output-directory: shape, one for each, or input (default: input for " + all_las +
     ", else shape)";
-  const char* const label =
-    "the name of the shape of each point in --output and --output-directory: letters, digits and _, as in scalar_shape "
-    "(default: shape)";
+  const char* const label = "the name of the shape of each point in --output and --output-directory: letters, digits "
+                            "and _, as in scalar_shape (default: shape)";
   auto add = group.add_options();
   add("output", text_option(o.output, "FILE"), output.c_str());
   add("output-directory", text_option(o.output_directory, "DIR"), directory.c_str());
@@ -210,9 +186,9 @@ inline void add_result_options(po::options_description& group, Options& o, const
       "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
   add("polygons", text_option(o.polygons, "FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
-      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, "
-      ".obj or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines "
-      "where they meet. A shape of very few points has no polygon");
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, .obj "
+      "or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines where "
+      "they meet. A shape of very few points has no polygon");
   add("crs", text_option(o.crs, "NAME"),
       "the name of the coordinate reference system, such as urn:ogc:def:crs:EPSG::25833, which --polygons (.geojson, "
       ".json) writes as it is given");
@@ -309,21 +285,21 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("fixed-direction",
       po::value<std::vector<std::string>>()->value_name("X,Y,Z")->notifier([&o](const std::vector<std::string>& texts) {
         for(const std::string& text : texts)
-          o.fixed_directions.push_back(parse_direction("fixed-direction", text));
+          o.fixed_directions.push_back(parse_three("fixed-direction", text, Three::direction));
       }),
       "a direction known beforehand, such as the vertical 0,0,1: shapes within the angle tolerance become exactly "
       "parallel or orthogonal to it if their points allow it; may be given several times");
-  add(
-    "symmetry-direction", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
-      o.symmetry_direction = parse_direction("symmetry-direction", text);
-    }),
-    "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same; "
-    "for --mesh it is the direction upward");
-  add(
-    "planes-from", text_option(o.planes_from, "FILE"),
-    "the planes of FILE instead of a detection: lines 'a b c d' as --planes writes them, or a table with columns a, b, "
-    "c and d. Each point gets the nearest plane within the maximum distance and, where the input has normals, the "
-    "maximum angle. Planes have no end, and their points need not be connected");
+  add("symmetry-direction",
+      parsed_option("X,Y,Z",
+                    [&o](const std::string& text) {
+                      o.symmetry_direction = parse_three("symmetry-direction", text, Three::direction);
+                    }),
+      "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the "
+      "same; for --mesh it is the direction upward");
+  add("planes-from", text_option(o.planes_from, "FILE"),
+      "the planes of FILE instead of a detection: lines 'a b c d' as --planes writes them, or a table with columns a, "
+      "b, c and d. Each point gets the nearest plane within the maximum distance and, where the input has normals, the "
+      "maximum angle. Planes have no end, and their points need not be connected");
   add("estimate-normals", number_option(o.estimate_normals, "[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);

@@ -7,8 +7,9 @@
 #define DETECT_PLANES_SHAPES_OF_OUTPUTS_H
 
 #include "input/read_cloud.h"
-#include "output/Described_shapes.h"
+#include "output/writers.h"
 #include "ranks/Ranks.h"
+#include "tolerance/Tolerances.h"
 
 namespace program {
 
@@ -64,7 +65,7 @@ public:
                                  "--estimate-normals they are estimated)");
     });
     for(const Input_part& part : cloud.parts)
-      if(const auto viewpoint = viewpoint_of(part); viewpoint && !are_given)
+      if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
         views.push_back({part.first, part.last, *viewpoint});
     is_seen = ranks.largest(double(views.size())) > 0;
     if(is_seen && run.normals != "none")
@@ -74,10 +75,9 @@ public:
   // What there is to say of --oriented, or nothing.
   const char* warning() const
   {
-    return options.is_oriented && !are_given && !is_seen
-             ? "--oriented: no normals are given, and no viewpoint is known: planes have no outward side "
-               "(--viewpoint gives one)"
-             : "";
+    return options.is_oriented && !are_given && !is_seen ? "--oriented: no normals are given, and no viewpoint is "
+                                                           "known: planes have no outward side (--viewpoint gives one)"
+                                                         : "";
   }
 
   // The shapes that the files get; the cloud gets the normals, if some file has them. The detection knows nothing of
@@ -109,15 +109,6 @@ private:
     std::size_t first, last; // the points
     Kernel::Point_3 from;
   };
-
-  std::optional<Kernel::Point_3> viewpoint_of(const Input_part& part) const
-  {
-    const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
-    if(!options.viewpoint && (!of_file || (of_file->is_default && !options.is_oriented)))
-      return std::nullopt;
-    const std::array<double, 3>& place = options.viewpoint ? *options.viewpoint : of_file->place;
-    return Kernel::Point_3(place[0], place[1], place[2]);
-  }
 
   // How many more of the own points of each shape were seen from the side of its normal than from the other one. The
   // normal of the plane tells that better than those of the points, where they were seen at a small angle.

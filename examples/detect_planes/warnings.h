@@ -135,42 +135,38 @@ constexpr double smallest_height_in_degrees = 100;
 // Steps that are a larger share of the tolerance of points cut surfaces into strips.
 constexpr double largest_step_in_tolerance = .25;
 
-// The box of the points that are finite and not at 0 0 0, and the number of those at 0 0 0; of all ranks.
+// The points of all ranks that are finite and not at 0 0 0, and the number of those at 0 0 0.
 struct Cloud_box {
-  std::array<double, 3> low, high; // infinite, with low > high, where there are no points
+  Box box;
   long long zeros = 0;
 
-  double side(std::size_t c) const { return high[c] - low[c]; }
+  double side(int c) const { return box.max(c) - box.min(c); }
   double extent() const { return (std::max)({side(0), side(1), side(2)}); }
 };
 
 inline Cloud_box box_of(const Point_set& points, const Ranks& ranks)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Cloud_box box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for(Point_set::Index i : points) {
-    const Kernel::Point_3& p = points.point(i);
-    if(is_zero(p))
-      ++box.zeros;
-    for(int c = 0; c < 3 && is_finite(p) && !is_zero(p); ++c) {
-      box.low[std::size_t(c)] = (std::min)(box.low[std::size_t(c)], p[c]);
-      box.high[std::size_t(c)] = (std::max)(box.high[std::size_t(c)], p[c]);
-    }
+  Box own;
+  long long zeros = 0;
+  for(Point_set::Index i : points)
+    if(is_zero(points.point(i)))
+      ++zeros;
+    else if(is_finite(points.point(i)))
+      own += points.point(i).bbox();
+  std::array<double, 6> sides;
+  for(int c = 0; c < 3; ++c) {
+    sides[std::size_t(c)] = -ranks.largest(-own.min(c));
+    sides[std::size_t(c) + 3] = ranks.largest(own.max(c));
   }
-  for(std::size_t c = 0; c < 3; ++c) {
-    box.low[c] = -ranks.largest(-box.low[c]);
-    box.high[c] = ranks.largest(box.high[c]);
-  }
-  box.zeros = ranks.sums({box.zeros})[0];
-  return box;
+  return {Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]), ranks.sums({zeros})[0]};
 }
 
 inline bool are_zeros_strange(const Cloud_box& box)
 {
   const double margin = near_zero * box.extent();
   bool is_outside = false;
-  for(std::size_t c = 0; c < 3; ++c)
-    is_outside = is_outside || box.low[c] > margin || box.high[c] < -margin;
+  for(int c = 0; c < 3; ++c)
+    is_outside = is_outside || box.box.min(c) > margin || box.box.max(c) < -margin;
   return box.zeros > (is_outside ? few_zeros : many_zeros);
 }
 
@@ -181,7 +177,8 @@ inline std::string advice_on_zeros(const Cloud_box& box)
 
 inline bool look_like_degrees(const Cloud_box& box)
 {
-  const bool are_in_range = box.low[0] >= -180 && box.high[0] <= 180 && box.low[1] >= -90 && box.high[1] <= 90;
+  const bool are_in_range =
+    box.box.xmin() >= -180 && box.box.xmax() <= 180 && box.box.ymin() >= -90 && box.box.ymax() <= 90;
   const double side = (std::max)(box.side(0), box.side(1));
   return are_in_range && box.side(0) > 0 && box.side(1) > 0 && side < 1 &&
          box.side(2) > smallest_height_in_degrees * side;

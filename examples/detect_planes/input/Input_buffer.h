@@ -7,20 +7,19 @@
 #define DETECT_PLANES_INPUT_BUFFER_H
 
 #include "errors.h"
-#include "signals.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <streambuf>
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 namespace program {
 
@@ -35,39 +34,53 @@ public:
   virtual std::size_t read(char* bytes, std::size_t count) = 0; // less than `count` at the end
 };
 
+// A file as it is, or a pipe, whose size is not known and which is read once.
+class File_source final : public Byte_source {
+public:
+  explicit File_source(const std::string& path)
+  {
+    if(std::filesystem::is_directory(path))
+      throw std::runtime_error("is a directory");
+    errno = 0;
+    file.open(path, std::ios::binary);
+    if(!file)
+      throw_error("cannot be opened", reason_of(errno));
+    std::error_code error;
+    size_ = std::filesystem::file_size(path, error); // the largest number where there is none
+  }
+
+  std::uint64_t size() const override { return size_; }
+  void seek(std::uint64_t position) override { file.rdbuf()->pubseekpos(std::streamoff(position), std::ios::in); }
+  std::size_t read(char* bytes, std::size_t count) override
+  {
+    errno = 0;
+    file.clear();
+    file.read(bytes, std::streamsize(count));
+    if(file.bad())
+      throw_error("cannot be read", reason_of(errno));
+    return std::size_t(file.gcount());
+  }
+
+private:
+  std::ifstream file;
+  std::uint64_t size_;
+};
+
 std::unique_ptr<Byte_source> open_bytes(const std::string& path);
 std::unique_ptr<Byte_source> open_gzip(const std::string& path); // by zlib
 
-// Bytes of a file.
-struct Byte_range {
-  std::uint64_t first, last;
-};
-
-// Reads a range of a file, after a text that may be put before it. A signal ends it early: CGAL's
-// readers do not know of signals, but they stop where a file ends.
+// Reads a file from a byte on. A signal ends it early: streams do not know of signals, but they stop where a file ends.
 class Input_buffer : public std::streambuf {
 public:
-  explicit Input_buffer(Byte_source& file) : Input_buffer(file, {0, file.size()}, "") {}
-
-  Input_buffer(Byte_source& file, Byte_range range, const std::string& text)
-    : file(file), text(text), position_of_file(range.first), behind(range.last)
+  explicit Input_buffer(Byte_source& file, std::uint64_t first = 0) : file(file), position_of_file(first)
   {
-    file.seek(range.first);
-    setg(this->text.data(), this->text.data(), this->text.data() + text.size());
+    file.seek(first);
   }
 
-  // The byte of the file that is read next; meaningful after the text.
+  // The byte of the file that is read next.
   std::uint64_t position() const { return position_of_file - std::uint64_t(egptr() - gptr()); }
 
-  std::uint64_t left() const { return behind - position(); }
-
-  // Those in the buffer, one at least unless the file ends. skip() passes over them.
-  std::string_view bytes_at_hand()
-  {
-    if(gptr() == egptr())
-      underflow();
-    return {gptr(), std::size_t(egptr() - gptr())};
-  }
+  std::uint64_t left() const { return file.size() - position(); }
 
   // At most as many bytes as are left.
   void skip(std::uint64_t bytes)
@@ -85,8 +98,7 @@ protected:
   {
     if(is_interrupted())
       return traits_type::eof();
-    const std::uint64_t wanted = (std::min)(std::uint64_t(buffer.size()), behind - position_of_file);
-    const std::size_t n = file.read(buffer.data(), std::size_t(wanted));
+    const std::size_t n = file.read(buffer.data(), buffer.size());
     position_of_file += n;
     setg(buffer.data(), buffer.data(), buffer.data() + n);
     return n == 0 ? traits_type::eof() : traits_type::to_int_type(buffer[0]);
@@ -94,10 +106,8 @@ protected:
 
 private:
   Byte_source& file;
-  std::string text;
   std::array<char, 65536> buffer;
   std::uint64_t position_of_file; // behind the bytes in the buffer
-  std::uint64_t behind;
 };
 
 constexpr std::size_t longest_line = 65536; // in bytes. Longer ones are no text, and would fill the memory
@@ -126,25 +136,19 @@ struct Text_row {
 // file ends: elsewhere it would make one line of many.
 class Text_lines {
 public:
-  explicit Text_lines(Input_buffer& in) : in(in) {}
+  explicit Text_lines(Input_buffer& in) : in(&in) { this->in.exceptions(std::ios::badbit); } // of the file
 
   bool next()
   {
     std::string& line = row_.text;
-    line.clear();
-    std::string_view bytes = in.bytes_at_hand();
-    if(bytes.empty())
+    in.getline(bytes.data(), std::streamsize(bytes.size()));
+    const auto size = std::size_t(in.gcount());
+    const bool is_cut = in.fail() && !in.eof();
+    if(size == 0)
       return false;
     ++row_.number;
-    bool has_end = false;
-    while(!bytes.empty() && !has_end && line.size() <= longest_line + 1) {
-      const std::size_t end = bytes.find('\n');
-      has_end = end != bytes.npos;
-      line.append(bytes.substr(0, end));
-      in.skip(has_end ? end + 1 : bytes.size());
-      bytes = has_end ? bytes : in.bytes_at_hand();
-    }
-    if(has_end || bytes.empty())
+    line.assign(bytes.data(), size - (in.good() ? 1 : 0)); // without the line feed
+    if(!is_cut)                                            // else it is too long
       line.resize(line.find_last_not_of('\r') + 1);
     check();
     if(row_.number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) // the mark of UTF-8
@@ -174,7 +178,8 @@ private:
       fail_at_row(row_.number, "has a byte 0, which no text has but one of UTF-16");
   }
 
-  Input_buffer& in;
+  std::istream in;
+  std::vector<char> bytes = std::vector<char>(longest_line + 3);
   Text_row row_ = {0, ""};
 };
 
@@ -239,9 +244,9 @@ inline std::optional<double> parse_number(std::string_view text)
 // What there is to say of a row that cannot be read.
 inline std::string advice_on_commas(std::string_view row)
 {
-  return row.find(',') == row.npos ? ""
-                                   : "; commas are no part of numbers: write numbers with a decimal point, and without "
-                                     "separators of thousands";
+  return row.find(',') == row.npos
+           ? ""
+           : "; commas are no part of numbers: write numbers with a decimal point, and without separators of thousands";
 }
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -250,6 +255,20 @@ inline bool is_comment(std::string_view row)
 {
   row.remove_prefix(first_not_blank(row));
   return row.substr(0, 1) == "#" || row.substr(0, 2) == "//";
+}
+
+// The numbers of a row.
+inline std::vector<double> numbers_of(const Text_row& row, Table_values values)
+{
+  std::vector<double> numbers;
+  for(std::string_view text; values.next(text);) {
+    const std::optional<double> number = parse_number(text);
+    if(!number)
+      fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected" +
+                                (values.separator() == ' ' ? advice_on_commas(row.text) : ""));
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 // The rows of a table that are not empty. Where numbers have decimal commas, these become points.
@@ -271,8 +290,6 @@ public:
   const Text_row& row() const { return has_decimal_commas ? changed : lines.row(); }
 
 private:
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
   static bool is_number(std::string_view value)
   {
     return value.find_first_not_of("0123456789+-.,eE") == value.npos && value.find_first_of("0123456789") != value.npos;
@@ -285,9 +302,9 @@ private:
     Table_values values(text, text.find(';') == text.npos ? ' ' : ';');
     for(std::string_view value; values.next(value);)
       if(value.find('.') != value.npos && is_number(value) && !is_comment(text))
-        fail_at_row(changed.number, "has '" + std::string(value.substr(0, 40)) +
-                                      "': with --decimal-comma, numbers have a comma, and neither a point nor "
-                                      "separators of thousands");
+        fail_at_row(changed.number,
+                    "has '" + std::string(value.substr(0, 40)) +
+                      "': with --decimal-comma, numbers have a comma, and neither a point nor separators of thousands");
     for(std::size_t i = 0; i + 1 < text.size(); ++i)
       if(text[i] == ',' && is_digit(text[i + 1]) &&
          (i == 0 || is_digit(text[i - 1]) || is_blank(text[i - 1]) ||

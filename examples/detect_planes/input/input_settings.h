@@ -6,29 +6,31 @@
 
 #include "errors.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstddef>
-#include <cstdint>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace program {
 
 // --- The values of a file that an option names.
 
+inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
+
 // What names differ by that mean the same: case, blanks and underscores, and the word that CloudCompare puts before.
 inline std::string plain_name(std::string_view text)
 {
   std::string name;
-  for(unsigned char c : text)
-    if(c != '"' && c != '\'' && c != '_' && c != ' ')
-      name += char(std::tolower(c));
+  for(char c : text)
+    if(c != '"' && c != '\'' && c != '_' && !is_separator(c))
+      name += char(std::tolower((unsigned char)(c)));
   return name.compare(0, 6, "scalar") == 0 && name.size() > 6 ? name.substr(6) : name;
 }
 
@@ -58,39 +60,26 @@ inline std::size_t find_name(const std::vector<std::string>& names, const std::s
 }
 
 // A box in the coordinates of the inputs, with its sides. It starts empty.
-struct Input_box {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+using Box = CGAL::Bbox_3;
 
-  // No point that is not finite is within, also where a side is open.
-  bool has(const double* p) const
-  {
-    for(std::size_t c = 0; c < 3; ++c)
-      if(!(p[c] >= low[c] && p[c] <= high[c]) || p[c] - p[c] != 0)
-        return false;
-    return true;
-  }
+// No point that is not finite is within, also where a side is open.
+inline bool is_within(const double (&p)[3], const Box& box)
+{
+  for(int c = 0; c < 3; ++c)
+    if(!(p[c] >= box.min(c) && p[c] <= box.max(c) && std::isfinite(p[c])))
+      return false;
+  return true;
+}
 
-  // Leaves out points that are not finite.
-  void add(const double* p)
-  {
-    const double sum = p[0] + p[1] + p[2];
-    for(std::size_t c = 0; c < 3 && sum - sum == 0; ++c) {
-      low[c] = (std::min)(low[c], p[c]);
-      high[c] = (std::max)(high[c], p[c]);
-    }
-  }
-
-  // As the option --crop takes it.
-  std::string text() const
-  {
-    std::ostringstream out;
-    out.precision(10);
-    for(std::size_t c = 0; c < 6; ++c)
-      out << (c > 0 ? "," : "") << (c < 3 ? low[c] : high[c - 3]);
-    return out.str();
-  }
-};
+// As the option --crop takes it.
+inline std::string text_of(const Box& box)
+{
+  std::ostringstream out;
+  out.precision(10);
+  for(int c = 0; c < 6; ++c)
+    out << (c > 0 ? "," : "") << (c < 3 ? box.min(c) : box.max(c - 3));
+  return out.str();
+}
 
 // --- The columns of text tables, by name or by their values.
 
@@ -110,17 +99,10 @@ inline bool is_in(std::string_view name, std::initializer_list<const char*> name
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
-
 // Names as CloudCompare, PCL, PDAL and others write them; `none` for any other.
 inline Column column_of_name(std::string_view text)
 {
-  std::string name;
-  for(unsigned char c : text)
-    if(c != '"' && c != '\'' && c != '_' && !is_separator(char(c)))
-      name += char(std::tolower(c));
-  if(name.compare(0, 6, "scalar") == 0)
-    name.erase(0, 6);
+  const std::string name = plain_name(text);
   static const std::array<std::initializer_list<const char*>, 11> known = {{{"x"},
                                                                             {"y"},
                                                                             {"z"},
@@ -182,9 +164,9 @@ inline std::vector<Column> parse_columns(const std::string& text, const std::str
       continue;
     const Column c = mean_the_same(name, tolerance) ? Column::tolerance : column_of_name(name);
     if(c == Column::none && !is_no_name(name))
-      throw_error<Usage_error>("--columns has '", name,
-                               "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to "
-                               "pass over");
+      throw_error<Usage_error>(
+        "--columns has '", name,
+        "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to pass over");
     if(c != Column::none && has_column(columns, c))
       throw_error<Usage_error>("--columns has '", name, "' twice");
     columns.push_back(c);
@@ -198,20 +180,17 @@ inline std::vector<Column> parse_columns(const std::string& text, const std::str
   return columns;
 }
 
-// The first rows of a table, all with as many values; NaN for what is no number.
-using Sample = std::vector<std::vector<double>>;
-
 constexpr double largest_error_of_length = .1; // of a normal, which should have length 1
 
 // ---
 
 // How inputs are read.
 struct Input_settings {
-  std::vector<Column> columns;   // of text tables; empty: recognized
-  std::vector<int> classes;      // only these points; empty: all
-  std::optional<Input_box> crop; // only the points in it
-  std::string tolerance;         // the column, property or field that has the tolerance of each point; empty: none has
-  std::string format;            // the extension that tells the format; empty: that of each file
+  std::vector<Column> columns; // of text tables; empty: recognized
+  std::vector<int> classes;    // only these points; empty: all
+  std::optional<Box> crop;     // only the points in it
+  std::string tolerance;       // the column, property or field that has the tolerance of each point; empty: none has
+  std::string format;          // the extension that tells the format; empty: that of each file
   bool has_decimal_commas = false;   // numbers of text tables
   std::optional<std::size_t> sample; // points to put on the faces of a mesh; 0: their corners
 };
@@ -250,7 +229,7 @@ struct Input_notes {
   std::vector<std::string> warnings;
   std::optional<Las_frame> las_frame; // of the first LAS file
   std::optional<Viewpoint> viewpoint; // of a PCD file
-  Input_box box;                      // of all points, where some are cropped
+  Box box;                            // of all points, where some are cropped
 };
 
 } // namespace program

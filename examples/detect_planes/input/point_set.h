@@ -9,10 +9,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
 
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 
@@ -29,6 +32,19 @@ constexpr const char* color_name = "input_color";             // Input_color
 constexpr const char* intensity_name = "intensity";           // float
 constexpr const char* classification_name = "classification"; // std::uint8_t
 constexpr const char* tolerance_name = "tolerance";           // double: of the distance to the plane
+
+// Files have little-endian numbers, on every machine: the bytes of a number as they are there, and back.
+template <class T>
+T little_endian(T value)
+{
+  if constexpr(boost::endian::order::native != boost::endian::order::little) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    std::reverse(bytes, bytes + sizeof(T));
+    std::memcpy(&value, bytes, sizeof(T));
+  }
+  return value;
+}
 
 template <class T>
 std::optional<Point_set::Property_map<T>> find_property(const Point_set& points, const char* name)

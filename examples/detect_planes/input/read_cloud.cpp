@@ -10,30 +10,6 @@
 
 namespace program {
 
-namespace {
-
-class File_source final : public Byte_source {
-public:
-  explicit File_source(const std::string& path) : size_(std::uint64_t(std::filesystem::file_size(path)))
-  {
-    if(!file.open(path, std::ios::in | std::ios::binary))
-      throw std::runtime_error("cannot be opened");
-  }
-
-  std::uint64_t size() const override { return size_; }
-  void seek(std::uint64_t position) override { file.pubseekpos(std::streamoff(position), std::ios::in); }
-  std::size_t read(char* bytes, std::size_t count) override
-  {
-    return std::size_t(file.sgetn(bytes, std::streamsize(count)));
-  }
-
-private:
-  std::filebuf file;
-  std::uint64_t size_;
-};
-
-} // namespace
-
 std::unique_ptr<Byte_source> open_bytes(const std::string& path)
 {
   if(!is_gzip(path))
@@ -118,33 +94,12 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   read_off(*file, settings, points, notes);
 }
 
-// Those that were not read one by one, as points on the faces of a mesh.
-void crop(const Input_settings& settings, Point_set& points, Input_notes& notes)
-{
-  if(!settings.crop)
-    return;
-  const auto is_kept = [&](Point_set::Index i) {
-    const Kernel::Point_3& p = points.point(i);
-    const double place[3] = {p.x(), p.y(), p.z()};
-    notes.box.add(place);
-    return settings.crop->has(place);
-  };
-  if(std::all_of(points.begin(), points.end(), is_kept))
-    return;
-  Point_set kept;
-  kept.copy_properties(points);
-  for(Point_set::Index i : points)
-    if(is_kept(i))
-      kept.insert(points, i);
-  points = std::move(kept);
-}
-
 // What to say of a file without points that are taken.
 std::string why_no_points(const Input_settings& settings, const Input_notes& notes)
 {
-  if(notes.box.low[0] <= notes.box.high[0])
+  if(notes.box.xmin() <= notes.box.xmax())
     return "has no points in the box of --crop" + std::string(settings.classes.empty() ? "" : " of the --classes") +
-           ": its own is " + notes.box.text();
+           ": its own is " + text_of(notes.box);
   return settings.classes.empty() ? "has no points" : "has no points of the --classes";
 }
 
@@ -236,7 +191,6 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
   try {
     check_file(path, settings);
     read_format(path, settings, points, notes);
-    crop(settings, points, notes);
     check_signals();
     if(!points.empty())
       return check_points(points);

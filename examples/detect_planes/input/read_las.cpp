@@ -118,32 +118,6 @@ std::size_t las_point_size(int point_format)
   return sizes[point_format];
 }
 
-double number_of_type(const char* bytes, char type, std::size_t size)
-{
-  switch(type == 'F' ? 10 + size : type == 'I' ? size : 20 + size) {
-  case 1:
-    return double(number_at<std::int8_t>(bytes));
-  case 2:
-    return double(number_at<std::int16_t>(bytes));
-  case 4:
-    return double(number_at<std::int32_t>(bytes));
-  case 8:
-    return double(number_at<std::int64_t>(bytes));
-  case 14:
-    return double(number_at<float>(bytes));
-  case 18:
-    return number_at<double>(bytes);
-  case 21:
-    return double(number_at<std::uint8_t>(bytes));
-  case 22:
-    return double(number_at<std::uint16_t>(bytes));
-  case 24:
-    return double(number_at<std::uint32_t>(bytes));
-  default:
-    return double(number_at<std::uint64_t>(bytes));
-  }
-}
-
 double value_of(const char* bytes, const Las_dimension& d)
 {
   return std::fma(number_of_type(bytes, d.type, d.size), d.scale, d.offset);

@@ -1,54 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "input/Laszip.h"
 #include "input/las_header.h"
-
-#include <laszip_api.h>
 
 namespace program {
 
 namespace {
-
-class Laszip_reader {
-public:
-  explicit Laszip_reader(const std::string& path) : Laszip_reader()
-  {
-    laszip_BOOL is_compressed = 0;
-    if(laszip_open_reader(laszip, path.c_str(), &is_compressed) || laszip_get_point_pointer(laszip, &point))
-      fail("opened");
-  }
-  ~Laszip_reader()
-  {
-    laszip_close_reader(laszip);
-    laszip_destroy(laszip);
-  }
-  Laszip_reader(const Laszip_reader&) = delete;
-  Laszip_reader& operator=(const Laszip_reader&) = delete;
-
-  const laszip_point& next()
-  {
-    if(laszip_read_point(laszip))
-      fail("read completely");
-    return *point;
-  }
-
-private:
-  Laszip_reader()
-  {
-    if(laszip_create(&laszip))
-      throw std::runtime_error("LASzip cannot be used");
-  }
-
-  [[noreturn]] void fail(const std::string& what)
-  {
-    laszip_CHAR* error = nullptr;
-    laszip_get_error(laszip, &error);
-    throw_error("cannot be ", what, " by LASzip", (error != nullptr ? " (" + std::string(error) + ")" : ""));
-  }
-
-  laszip_POINTER laszip = nullptr;
-  laszip_point* point = nullptr;
-};
 
 // The extra bytes begin behind those of the point format.
 double tolerance_of(const laszip_point& p, const Las_header& header, const Las_dimension& tolerance)
@@ -77,16 +35,21 @@ Point_row row_of(const laszip_point& p, const Las_header& header)
 void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
                      Cloud_builder& builder)
 {
-  Laszip_reader reader(path);
+  Laszip reader;
+  laszip_BOOL is_compressed = 0;
+  laszip_point* point = nullptr;
+  reader.check(laszip_open_reader(reader.pointer, path.c_str(), &is_compressed), "cannot be opened by LASzip");
+  reader.check(laszip_get_point_pointer(reader.pointer, &point), "cannot be opened by LASzip");
   for(std::uint64_t i = 0; i < header.count; ++i) {
-    if(i % 4096 == 0 && is_interrupted())
-      throw Interrupted();
-    const laszip_point& point = reader.next();
-    Point_row row = row_of(point, header);
+    if(i % 4096 == 0)
+      check_signals();
+    reader.check(laszip_read_point(reader.pointer), "cannot be read completely by LASzip");
+    Point_row row = row_of(*point, header);
     if(tolerance != nullptr)
-      row.tolerance = tolerance_of(point, header, *tolerance);
+      row.tolerance = tolerance_of(*point, header, *tolerance);
     builder.add(row);
   }
+  laszip_close_reader(reader.pointer);
 }
 
 } // namespace program

@@ -3,6 +3,7 @@
 
 #include "input/readers.h"
 
+#include <iterator>
 #include <map>
 
 namespace program {
@@ -59,12 +60,11 @@ struct Pcd_header {
   std::string data;                   // ascii, binary or binary_compressed
   std::vector<std::string> viewpoint; // the words of that line; none without one
 
+  // The first of that name, if it has one value.
   const Field* find(const std::string& name) const
   {
-    for(const Field& f : fields)
-      if(f.name == name)
-        return &f;
-    return nullptr;
+    const auto f = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+    return f != fields.end() && f->count == 1 ? &*f : nullptr;
   }
 
   std::size_t row_size() const
@@ -74,114 +74,76 @@ struct Pcd_header {
   std::size_t row_values() const { return fields.empty() ? 0 : fields.back().first + fields.back().count; }
 };
 
-// What the lines say, before they are put together.
-struct Lines {
-  std::vector<std::string> names, types, viewpoint;
-  std::vector<std::uint64_t> sizes, counts;
-  std::map<std::string, std::uint64_t> numbers; // WIDTH, HEIGHT, POINTS
+// The words of each line, before they are put together.
+using Lines = std::map<std::string, std::vector<std::string>>;
 
-  std::uint64_t number(const std::string& key, std::uint64_t otherwise) const
-  {
-    const auto found = numbers.find(key);
-    return found == numbers.end() ? otherwise : found->second;
-  }
-};
+std::vector<std::string> words_of(const std::string& line)
+{
+  std::istringstream in(line);
+  return {std::istream_iterator<std::string>(in), {}};
+}
 
 std::uint64_t parse_number_of(const std::string& key, const std::string& word)
 {
   constexpr std::size_t most_digits = 15;
-  if(word.empty() || word.size() > most_digits || word.find_first_not_of("0123456789") != word.npos)
+  if(word.size() > most_digits || word.find_first_not_of("0123456789") != word.npos)
     throw_error("the PCD header has '", word, "' where a number of ", key, " is expected");
   return std::stoull(word);
 }
 
-std::vector<std::string> words_of(std::istream& line)
+std::uint64_t number_of_line(const Lines& lines, const std::string& key, std::uint64_t otherwise)
 {
-  std::vector<std::string> words;
-  for(std::string word; line >> word;)
-    words.push_back(word);
-  return words;
-}
-
-std::vector<std::uint64_t> parse_numbers(const std::string& key, std::istream& line)
-{
-  std::vector<std::uint64_t> numbers;
-  for(const std::string& word : words_of(line))
-    numbers.push_back(parse_number_of(key, word));
-  return numbers;
-}
-
-std::uint64_t parse_one(const std::string& key, std::istream& line)
-{
-  const std::vector<std::uint64_t> numbers = parse_numbers(key, line);
-  if(numbers.size() != 1)
+  const auto line = lines.find(key);
+  if(line != lines.end() && line->second.size() != 1)
     throw_error("the PCD header has no number of ", key);
-  return numbers[0];
+  return line == lines.end() ? otherwise : parse_number_of(key, line->second[0]);
 }
 
-void parse_line(const std::string& key, std::istream& line, Lines& lines)
-{
-  if(key == "FIELDS" || key == "COLUMNS")
-    lines.names = words_of(line);
-  else if(key == "SIZE")
-    lines.sizes = parse_numbers(key, line);
-  else if(key == "TYPE")
-    lines.types = words_of(line);
-  else if(key == "COUNT")
-    lines.counts = parse_numbers(key, line);
-  else if(key == "WIDTH" || key == "HEIGHT" || key == "POINTS")
-    lines.numbers[key] = parse_one(key, line);
-  else if(key == "VIEWPOINT")
-    lines.viewpoint = words_of(line);
-  else if(key != "VERSION")
-    throw_error("the PCD header has the unknown line '", key.substr(0, 40), "'");
-}
-
-Pcd_header::Field make_field(const Lines& lines, std::size_t i)
+Pcd_header::Field make_field(Lines& lines, std::size_t i)
 {
   Pcd_header::Field f;
-  f.name = lines.names[i];
-  f.size = std::size_t(lines.sizes[i]);
-  f.type = lines.types[i][0];
-  f.count = lines.counts.empty() ? 1 : std::size_t(lines.counts[i]);
+  const std::string type = lines["TYPE"][i];
+  f.name = lines["FIELDS"][i];
+  f.size = std::size_t(parse_number_of("SIZE", lines["SIZE"][i]));
+  f.type = type[0];
+  f.count = lines["COUNT"].empty() ? 1 : std::size_t(parse_number_of("COUNT", lines["COUNT"][i]));
   const bool is_integer = f.type == 'I' || f.type == 'U';
   const bool is_known = is_integer ? f.size == 1 || f.size == 2 || f.size == 4 || f.size == 8
                                    : f.type == 'F' && (f.size == 4 || f.size == 8);
   constexpr std::size_t most = 65536;
-  if(!is_known || lines.types[i].size() != 1 || f.count > most)
-    throw_error("the PCD field '", f.name, "' has the type ", lines.types[i], " of ", f.size, " bytes, ", f.count,
+  if(!is_known || type.size() != 1 || f.count > most)
+    throw_error("the PCD field '", f.name, "' has the type ", type, " of ", f.size, " bytes, ", f.count,
                 " times, expected I, U or F of 1, 2, 4 or 8 bytes");
   return f;
 }
 
-Pcd_header join(const Lines& lines)
+Pcd_header join(Lines& lines)
 {
-  const std::size_t n = lines.names.size();
-  if(n == 0 || lines.sizes.size() != n || lines.types.size() != n ||
-     (!lines.counts.empty() && lines.counts.size() != n))
+  const std::size_t n = lines["FIELDS"].size(), counts = lines["COUNT"].size();
+  if(n == 0 || lines["SIZE"].size() != n || lines["TYPE"].size() != n || (counts > 0 && counts != n))
     throw std::runtime_error("the PCD header must have as many items in FIELDS, SIZE, TYPE and COUNT");
   Pcd_header header;
-  header.viewpoint = lines.viewpoint;
+  header.viewpoint = lines["VIEWPOINT"];
   for(std::size_t i = 0; i < n; ++i) {
     Pcd_header::Field f = make_field(lines, i);
     f.position = header.row_size();
     f.first = header.row_values();
     header.fields.push_back(f);
   }
-  const std::uint64_t width = lines.number("WIDTH", lines.number("POINTS", 0)), height = lines.number("HEIGHT", 1);
+  for(const char* name : {"x", "y", "z"})
+    if(header.find(name) == nullptr)
+      throw_error("the points of the PCD file have no field '", name, "'");
+  const std::uint64_t width = number_of_line(lines, "WIDTH", number_of_line(lines, "POINTS", 0));
+  const std::uint64_t height = number_of_line(lines, "HEIGHT", 1);
   if(height > 0 && width > (std::numeric_limits<std::uint64_t>::max)() / height)
     throw std::runtime_error("the PCD header has too large a WIDTH or HEIGHT");
-  header.points = lines.number("POINTS", width * height);
+  header.points = number_of_line(lines, "POINTS", width * height);
   if(header.points != width * height)
     throw_error("the PCD header has ", header.points, " POINTS, but WIDTH times HEIGHT is ", width * height);
+  header.data = lines["DATA"].empty() ? "" : lines["DATA"][0];
+  if(!is_in(header.data, {"ascii", "binary", "binary_compressed"}))
+    throw_error("unknown DATA '", header.data, "' of PCD");
   return header;
-}
-
-void check_coordinates(const Pcd_header& header)
-{
-  for(const char* name : {"x", "y", "z"})
-    if(const Pcd_header::Field* f = header.find(name); f == nullptr || f->count != 1)
-      throw_error("the points of the PCD file have no field '", name, "'");
 }
 
 // Up to the line DATA.
@@ -189,20 +151,16 @@ Pcd_header read_pcd_header(Text_lines& text)
 {
   Lines lines;
   while(text.next()) {
-    std::istringstream line(text.row().text);
-    std::string key;
-    if(!(line >> key) || key[0] == '#')
+    std::vector<std::string> words = words_of(text.row().text);
+    if(words.empty() || words[0][0] == '#')
       continue;
-    if(key != "DATA") {
-      parse_line(key, line, lines);
-      continue;
-    }
-    Pcd_header header = join(lines);
-    check_coordinates(header);
-    line >> header.data;
-    if(header.data != "ascii" && header.data != "binary" && header.data != "binary_compressed")
-      throw_error("unknown DATA '", header.data, "' of PCD");
-    return header;
+    const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+    if(!is_in(key, {"VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA"}))
+      throw_error("the PCD header has the unknown line '", key.substr(0, 40), "'");
+    words.erase(words.begin());
+    lines[key] = words;
+    if(key == "DATA")
+      return join(lines);
   }
   throw std::runtime_error("is not a PCD file, or its header has no end (a line DATA)");
 }
@@ -213,37 +171,24 @@ using Field = Pcd_header::Field;
 
 // The fields that are used, null where the file has none.
 struct Used_fields {
-  std::array<const Field*, 3> point, normal;
-  const Field *color, *intensity, *classification, *tolerance;
+  std::array<const Field*, std::size_t(Column::none)> of_column;
+  const Field* color;
 };
-
-// That of --tolerance-column.
-const Field* tolerance_field(const Pcd_header& h, const std::string& wanted)
-{
-  std::vector<std::string> names;
-  for(const Field& f : h.fields)
-    names.push_back(f.count == 1 ? f.name : "");
-  return wanted.empty() ? nullptr : &h.fields[find_name(names, wanted, "field")];
-}
 
 Used_fields used_fields(const Pcd_header& h, const std::string& tolerance)
 {
-  const auto single = [&h](const char* name) {
-    const Field* f = h.find(name);
-    return f != nullptr && f->count == 1 ? f : nullptr;
-  };
-  Used_fields used = {{single("x"), single("y"), single("z")},
-                      {single("normal_x"), single("normal_y"), single("normal_z")},
-                      single("rgb"),
-                      single("intensity"),
-                      single("classification"),
-                      tolerance_field(h, tolerance)};
+  Used_fields used = {{h.find("x"), h.find("y"), h.find("z"), h.find("normal_x"), h.find("normal_y"),
+                       h.find("normal_z"), nullptr, nullptr, nullptr, h.find("intensity"), h.find("classification")},
+                      h.find("rgb")};
   if(used.color == nullptr)
-    used.color = single("rgba");
+    used.color = h.find("rgba");
   if(used.color != nullptr && used.color->size != 4)
     used.color = nullptr;
-  if(used.normal[0] == nullptr || used.normal[1] == nullptr || used.normal[2] == nullptr)
-    used.normal = {nullptr, nullptr, nullptr};
+  std::vector<std::string> names;
+  for(const Field& f : h.fields)
+    names.push_back(f.count == 1 ? f.name : "");
+  if(!tolerance.empty())
+    used.of_column[std::size_t(Column::tolerance)] = &h.fields[find_name(names, tolerance, "field")];
   return used;
 }
 
@@ -252,26 +197,17 @@ Input_color unpacked(std::uint32_t rgb)
   return {wide_channel(std::uint8_t(rgb >> 16)), wide_channel(std::uint8_t(rgb >> 8)), wide_channel(std::uint8_t(rgb))};
 }
 
-std::uint8_t class_of(double x) { return x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0); }
-
 // `value` gives the number in a field, `bits` the four bytes of a color.
 template <class Value, class Bits>
 Point_row make_row(const Used_fields& used, Value value, Bits bits)
 {
-  Point_row row;
-  for(std::size_t i = 0; i < 3; ++i) {
-    row.point[i] = value(*used.point[i]);
-    if(used.normal[i] != nullptr)
-      row.normal[i] = value(*used.normal[i]);
-  }
+  Row_values values = {};
+  for(std::size_t c = 0; c < values.size(); ++c)
+    if(used.of_column[c] != nullptr)
+      values[c] = value(*used.of_column[c]);
+  Point_row row = row_of(values);
   if(used.color != nullptr)
     row.color = unpacked(bits(*used.color));
-  if(used.intensity != nullptr)
-    row.intensity = float(value(*used.intensity));
-  if(used.classification != nullptr)
-    row.classification = class_of(value(*used.classification));
-  if(used.tolerance != nullptr)
-    row.tolerance = value(*used.tolerance);
   return row;
 }
 
@@ -345,34 +281,19 @@ std::uint32_t color_bits(double value, const Field& f)
   return f.type == 'F' ? bits : value >= 0 && value < 4294967296. ? std::uint32_t(value) : 0;
 }
 
-// Numbers are separated by blanks.
-void parse_row(const Text_row& row, std::vector<double>& values)
-{
-  Table_values rest(row.text, ' ');
-  std::string_view text;
-  for(std::size_t i = 0; i < values.size(); ++i) {
-    const std::optional<double> number = rest.next(text) ? parse_number(text) : std::nullopt;
-    if(!number)
-      fail_at_row(row.number, text.empty()
-                                ? "has " + std::to_string(i) + " values instead of " + std::to_string(values.size())
-                                : "has '" + std::string(text.substr(0, 40)) + "' where a number is expected" +
-                                    advice_on_commas(row.text));
-    values[i] = *number;
-    text = {};
-  }
-  if(rest.next(text))
-    fail_at_row(row.number, "has more than " + std::to_string(values.size()) + " values");
-}
-
 void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, const Used_fields& used,
                Cloud_builder& builder)
 {
   check_room(h.points, (in.left() + 1) / (2 * h.row_values())); // a digit and a separator each
-  std::vector<double> values(h.row_values());
+  const std::size_t count = h.row_values();
   for(std::uint64_t i = 0; i < h.points; ++i) {
     if(!lines.next_filled())
       fail_after(i, h.points);
-    parse_row(lines.row(), values);
+    const std::vector<double> values = numbers_of(lines.row(), Table_values(lines.row().text, ' '));
+    if(values.size() != count)
+      fail_at_row(lines.row().number, values.size() > count
+                                        ? text_of("has more than ", count, " values")
+                                        : text_of("has ", values.size(), " values instead of ", count));
     builder.add(make_row(
       used, [&](const Field& f) { return values[f.first]; },
       [&](const Field& f) { return color_bits(values[f.first], f); }));
@@ -405,13 +326,12 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   Text_lines lines(in);
   const Pcd_header h = read_pcd_header(lines);
   const Used_fields used = used_fields(h, settings.tolerance);
-  if(!settings.classes.empty() && used.classification == nullptr)
+  Fields fields = fields_of([&](Column c) { return used.of_column[std::size_t(c)] != nullptr; });
+  fields.color = used.color != nullptr;
+  if(!settings.classes.empty() && !fields.classification)
     throw std::runtime_error("has no field 'classification', which --classes needs");
-  note_viewpoint(h.viewpoint, used.normal[0] != nullptr, notes);
-  Cloud_builder builder(points,
-                        {used.normal[0] != nullptr, used.color != nullptr, used.intensity != nullptr,
-                         used.classification != nullptr, used.tolerance != nullptr},
-                        settings, notes);
+  note_viewpoint(h.viewpoint, fields.normal, notes);
+  Cloud_builder builder(points, fields, settings, notes);
   if(h.data == "binary")
     read_binary(in, h, used, builder);
   else if(h.data == "binary_compressed")

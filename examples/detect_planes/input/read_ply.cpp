@@ -1,79 +1,276 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/ply_parts.h"
 #include "input/readers.h"
 
+#include <cctype>
 #include <locale>
+#include <map>
+#include <set>
 
 namespace program {
 
 namespace {
 
-// A real number of a text, as a stream reads it: one that is too small becomes 0, a float is rounded once.
-template <class Real>
-bool parse_real(std::string_view word, Real& x)
+// --- Reads the header of a PLY file, and rejects unknown types and missing or repeated properties.
+
+// The kind is that of number_of_type().
+struct Type {
+  char kind = 0;
+  std::size_t size = 0; // 0 if there is no such type
+
+  // Of an integer type.
+  std::uint64_t largest() const { return (std::uint64_t(1) << (8 * size - (kind == 'U' ? 0 : 1))) - 1; }
+};
+
+Type type_of(const std::string& name)
 {
-  if(word.size() > 1 && word.front() == '+' && word[1] != '-')
-    word.remove_prefix(1);
-  const auto end = std::from_chars(word.data(), word.data() + word.size(), x);
-  if(end.ptr != word.data() + word.size() || end.ec == std::errc())
-    return end.ptr == word.data() + word.size() && !word.empty();
-  std::istringstream in{std::string(word)};
-  in.imbue(std::locale::classic());
-  return bool(in >> x);
+  static const std::map<std::string, Type> types = {
+    {"char", {'I', 1}},  {"int8", {'I', 1}},    {"uchar", {'U', 1}},  {"uint8", {'U', 1}},
+    {"short", {'I', 2}}, {"int16", {'I', 2}},   {"ushort", {'U', 2}}, {"uint16", {'U', 2}},
+    {"int", {'I', 4}},   {"int32", {'I', 4}},   {"uint", {'U', 4}},   {"uint32", {'U', 4}},
+    {"float", {'F', 4}}, {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
+  const auto found = types.find(name);
+  return found == types.end() ? Type() : found->second;
 }
 
-// The rows of an element of a PLY file that is known to be complete.
-class Ply_rows {
-public:
-  Ply_rows(Byte_source& file, const std::string& format, const Ply_part& part)
-    : in(file, part.bytes, ""), element(part.element), is_ascii(format == "ascii"),
-      is_big(format == "binary_big_endian")
+struct Property {
+  std::string name;
+  Type type;
+  std::optional<Type> count; // of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  bool has_points() const { return name == "vertex" || name == "vertices"; }
+  bool has_faces() const { return count > 0 && (name == "face" || name == "faces" || name == "tristrips"); }
+  bool has_list() const
   {
-    for(const Ply_header::Property& p : element.properties) {
-      values.push_back(type_of(p.type));
-      counts.push_back(type_of(p.is_list() ? p.count_type : p.type));
+    return std::any_of(properties.begin(), properties.end(), [](const Property& p) { return p.count.has_value(); });
+  }
+};
+
+struct Header {
+  std::string format;
+  std::vector<Element> elements;
+};
+
+Element parse_element(std::istream& words)
+{
+  std::string name;
+  std::int64_t count = -1;
+  if(!(words >> name >> count) || count < 0)
+    throw_error("the PLY header has no number of items for the element '", name, "'");
+  return {name, std::uint64_t(count), {}};
+}
+
+Property parse_property(std::istream& words)
+{
+  std::string name, type, count;
+  words >> type;
+  if(type == "list")
+    words >> count >> type;
+  if(!(words >> name))
+    throw std::runtime_error("the PLY header has an incomplete property");
+  for(const std::string& word : {type, count.empty() ? type : count})
+    if(type_of(word).size == 0)
+      throw_error("unknown type '", word, "' of the PLY property '", name, "'");
+  if(count.empty())
+    return {name, type_of(type), std::nullopt};
+  if(type_of(count).kind == 'F')
+    throw_error("the number of items of the PLY list '", name, "' must be an integer");
+  return {name, type_of(type), type_of(count)};
+}
+
+Header read_header(Text_lines& lines)
+{
+  constexpr std::size_t most_bytes = 1 << 20;
+  Header header;
+  std::string keyword;
+  if(!lines.next() || !(std::istringstream(lines.row().text) >> keyword) || keyword != "ply")
+    throw std::runtime_error("is not a PLY file (the first line is not 'ply')");
+  for(std::size_t bytes = 0; lines.next();) {
+    bytes += lines.row().text.size() + 1;
+    if(bytes > most_bytes)
+      throw_error("the PLY header has more than ", most_bytes, " bytes, the limit");
+    std::istringstream words(lines.row().text);
+    if(!(words >> keyword))
+      throw std::runtime_error("the PLY header has an empty line");
+    if(header.format.empty() && keyword != "format")
+      throw std::runtime_error("the second line of the PLY header is not its format");
+    if(keyword == "format") {
+      words >> header.format;
+      if(!is_in(header.format, {"ascii", "binary_little_endian", "binary_big_endian"}))
+        throw_error("unknown format '", header.format, "' of PLY");
+    } else if(keyword == "element") {
+      header.elements.push_back(parse_element(words));
+    } else if(keyword == "property") {
+      if(header.elements.empty())
+        throw std::runtime_error("the PLY header has an incomplete property");
+      header.elements.back().properties.push_back(parse_property(words));
+    } else if(keyword == "end_header") {
+      return header;
     }
+  }
+  throw std::runtime_error("the PLY header has no end");
+}
+
+// The place of a number among the properties of an element, or their count: the one of that name, else the first one
+// whose name differs by case.
+std::size_t find_number(const Element& element, const std::string& name)
+{
+  const auto find = [&](auto is_name) {
+    const auto found = std::find_if(element.properties.begin(), element.properties.end(),
+                                    [&](const Property& p) { return !p.count && is_name(p.name); });
+    return std::size_t(found - element.properties.begin());
+  };
+  const auto is_same = [&name](const std::string& other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
+                      [](unsigned char a, unsigned char b) { return a == std::tolower(b); });
+  };
+  const std::size_t exact = find([&name](const std::string& other) { return other == name; });
+  return exact < element.properties.size() ? exact : find(is_same);
+}
+
+// The element of the points.
+const Element& points_of(const Header& header)
+{
+  const Element* points = nullptr;
+  for(const Element& element : header.elements)
+    if(element.has_points() && std::exchange(points, &element) != nullptr)
+      throw std::runtime_error("the PLY file has two elements of points");
+  if(points == nullptr)
+    throw std::runtime_error("the PLY file has no element 'vertex'");
+  std::set<std::string> names;
+  for(const Property& p : points->properties)
+    if(!names.insert(p.name).second)
+      throw_error("the points of the PLY file have two properties '", p.name, "'");
+  for(const char* name : {"x", "y", "z"})
+    if(find_number(*points, name) == points->properties.size())
+      throw_error("the points of the PLY file have no property '", name, "'");
+  return *points;
+}
+
+// --- Reads the rows of the elements, and finds what is not as the header says.
+
+// A real number of a text, as a stream reads it: one that is too small becomes 0, a float is rounded once.
+template <class Real>
+bool parse_real(std::string_view word, double& x)
+{
+  Real real = 0;
+  if(word.size() > 1 && word.front() == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  const auto end = std::from_chars(word.data(), word.data() + word.size(), real);
+  bool is_right = !word.empty() && end.ptr == word.data() + word.size();
+  if(is_right && end.ec != std::errc()) {
+    std::istringstream in{std::string(word)};
+    in.imbue(std::locale::classic());
+    is_right = bool(in >> real);
+  }
+  x = double(real);
+  return is_right;
+}
+
+bool parse_integer(std::string_view word, const Type& type, double& x)
+{
+  if(word.size() > 1 && word[0] == '+' && is_digit(word[1]))
+    word.remove_prefix(1);
+  std::int64_t integer = 0;
+  const auto end = std::from_chars(word.data(), word.data() + word.size(), integer);
+  x = double(integer);
+  const auto largest = std::int64_t(type.largest());
+  return end.ec == std::errc() && end.ptr == word.data() + word.size() && integer <= largest &&
+         integer >= (type.kind == 'U' ? 0 : -largest - 1);
+}
+
+// Goes through the rows of an element, from the one on where the buffer stands.
+class Rows {
+public:
+  Rows(Input_buffer& in, const std::string& format, const Element& element)
+    : in(in), element(element), is_ascii(format == "ascii"), is_big(format == "binary_big_endian")
+  {
+    for(const Property& p : element.properties)
+      least_size += is_ascii ? 2 : p.count.value_or(p.type).size;
+    if(least_size == 0)
+      return;
+    // The last row of a text need not have an end.
+    const std::uint64_t room = (in.left() + (is_ascii ? 1 : 0)) / least_size;
+    if(element.count > room)
+      throw_error("is truncated: ", element.count, " items of '", element.name, "' announced, room for ", room,
+                  " at most");
+  }
+
+  // Passes over all of them.
+  void skip()
+  {
+    if(!is_ascii && !element.has_list())
+      in.skip(least_size * element.count);
+    else
+      while(least_size > 0 && row < element.count)
+        read(nullptr, element.properties.size(), unwanted);
   }
 
   // A number of each property: of a list that of its items, which `list` gets where it is wanted.
   void next(std::vector<double>& numbers, std::size_t wanted_list, std::vector<double>& list)
   {
-    numbers.resize(values.size());
-    for(std::size_t i = 0; i < values.size(); ++i) {
-      numbers[i] = read(i, counts[i]);
-      if(!element.properties[i].is_list())
-        continue;
-      list.resize(i == wanted_list ? std::size_t(numbers[i]) : list.size());
-      for(std::size_t k = 0; k < std::size_t(numbers[i]); ++k) {
-        const double item = read(i, values[i]);
-        if(i == wanted_list)
-          list[k] = item;
-      }
-    }
-    ++row;
+    numbers.resize(element.properties.size());
+    read(numbers.data(), wanted_list, list);
   }
 
-  void next(std::vector<double>& numbers) { next(numbers, values.size(), no_list); }
+  void next(std::vector<double>& numbers) { next(numbers, element.properties.size(), unwanted); }
 
 private:
-  // The kind is that of number_of_type().
-  struct Type {
-    char kind;
-    std::size_t size;
-  };
-
-  static Type type_of(const std::string& name)
+  void read(double* numbers, std::size_t wanted_list, std::vector<double>& list)
   {
-    return {is_real_ply_type(name) ? 'F' : name[0] == 'u' ? 'U' : 'I', std::size_t(ply_type_size(name))};
+    ++row;
+    for(std::size_t i = 0; i < element.properties.size(); ++i) {
+      const Property& p = element.properties[i];
+      const std::uint64_t count = p.count ? read_count(p) : 1;
+      std::vector<double>& items = i == wanted_list ? list : unwanted;
+      if(!is_ascii && numbers == nullptr) {
+        check_left(count * p.type.size);
+        in.skip(count * p.type.size);
+        continue;
+      }
+      items.resize(i == wanted_list ? std::size_t(count) : 1);
+      for(std::uint64_t k = 0; k < count; ++k) {
+        const double x = is_ascii ? read_word(p, numbers != nullptr) : read_bytes(p.type);
+        items[i == wanted_list ? std::size_t(k) : 0] = x;
+      }
+      if(numbers != nullptr)
+        numbers[i] = p.count ? double(count) : items[0];
+    }
+    if(is_ascii && !is_end_of_line())
+      throw_error(place(), " has more values than the header says (add the property that is missing there)");
   }
 
-  double read(std::size_t property, const Type& type)
+  std::uint64_t read_count(const Property& p)
   {
-    if(is_ascii)
-      return parse(property, type);
+    const std::uint64_t count = is_ascii ? read_text_count() : std::uint64_t(read_bytes({'U', p.count->size}));
+    const std::uint64_t room = is_ascii ? in.left() / 2 + 1 : in.left() / p.type.size;
+    if(count > p.count->largest() || count > room)
+      throw_error(place(), " has ", count, " items in the list '", p.name, "', room for ",
+                  (std::min)(room, p.count->largest()), " at most");
+    return count;
+  }
+
+  std::uint64_t read_text_count()
+  {
+    read_word(20);
+    std::uint64_t count = 0;
+    const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
+    if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
+      throw_error(place(), " has '", word, "' where the number of items of a list is expected");
+    return count;
+  }
+
+  double read_bytes(const Type& type)
+  {
     char bytes[8];
+    check_left(type.size);
     if(in.sgetn(bytes, std::streamsize(type.size)) != std::streamsize(type.size))
       fail("");
     if(is_big)
@@ -81,70 +278,108 @@ private:
     return number_of_type(bytes, type.kind, type.size);
   }
 
-  double parse(std::size_t property, const Type& type)
+  // The bytes up to the next blank.
+  void read_word(std::size_t most)
   {
-    skip_blanks_of(in);
+    length = element.has_points() ? length : 0;
     word.clear();
-    for(int c = in.sgetc(); c != std::streambuf::traits_type::eof() && !is_blank(c); c = in.snextc())
+    for(int c = in.sgetc(); is_blank(c); c = next_byte())
+      ;
+    for(int c = in.sgetc(); word.size() < most && c != eof && !is_blank(c); c = next_byte())
       word += char(c);
+  }
+
+  // 0 if it is not wanted.
+  double read_word(const Property& p, bool is_wanted)
+  {
+    read_word(std::string::npos);
+    if(word.empty())
+      check_left(1);
+    if(word.find(',') != word.npos)
+      throw_error(place(), " has a comma (write numbers with a decimal point, and blanks between them)");
     double x = 0;
-    if(word.empty() || !parse_word(type, x))
-      fail(word.empty() ? ""
-                        : " (a value is not of the type that the header says: '" + word.substr(0, 40) +
-                            "' of the property '" + element.properties[property].name + "')");
+    if(is_wanted && !(p.type.kind != 'F' ? parse_integer(word, p.type, x)
+                      : p.type.size == 8 ? parse_real<double>(word, x)
+                                         : parse_real<float>(word, x)))
+      fail(" (a value is not of the type that the header says: '" + word.substr(0, 40) + "' of the property '" +
+           p.name + "')");
     return x;
   }
 
-  bool parse_word(const Type& type, double& x) const
+  // Passes over the byte at hand, and returns the one behind it. Each row of a point has a limit, as the lines of other
+  // texts have.
+  int next_byte()
   {
-    if(type.kind == 'F' && type.size == 8)
-      return parse_real(word, x);
-    if(type.kind == 'F') {
-      float real = 0;
-      const bool is_real = parse_real(word, real);
-      x = double(real);
-      return is_real;
-    }
-    std::int64_t integer = 0;
-    const char* const first = word.data() + (word.size() > 1 && word[0] == '+' && is_digit(word[1]) ? 1 : 0);
-    const auto end = std::from_chars(first, word.data() + word.size(), integer);
-    x = double(integer);
-    const std::int64_t largest = (std::int64_t(1) << (8 * type.size - (type.kind == 'U' ? 0 : 1))) - 1;
-    return end.ec == std::errc() && end.ptr == word.data() + word.size() && integer <= largest &&
-           integer >= (type.kind == 'U' ? 0 : -largest - 1);
+    const int before = in.sgetc(), c = in.snextc();
+    length = before == '\n' ? 0 : length + 1;
+    if(before == '\r' && c != '\r' && c != '\n' && c != eof)
+      throw_error(place(), ' ', carriage_return_alone);
+    if(length > longest_line)
+      throw_error(place(), " has more than ", longest_line, " bytes, the limit of a ",
+                  (element.has_points() ? "line" : "number"));
+    return c;
+  }
+
+  bool is_end_of_line()
+  {
+    int c = in.sgetc();
+    while(c != '\n' && is_blank(c))
+      c = next_byte();
+    return c == '\n' || c == eof;
+  }
+
+  void check_left(std::uint64_t bytes) const
+  {
+    check_signals();
+    if(bytes > in.left())
+      throw_error("is truncated: ", place(), " of ", element.count, " is not complete");
   }
 
   [[noreturn]] void fail(const std::string& reason) const
   {
     check_signals();
-    throw_error("unreadable after ", element.name == "face" ? "face " : "point ", row, " of ", element.count, reason);
+    throw_error("unreadable after ", element.name == "face" ? "face " : "point ", row - 1, " of ", element.count,
+                reason);
   }
 
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  std::string place() const { return "row " + std::to_string(row) + " of '" + element.name + "'"; }
 
-  Input_buffer in;
-  Ply_header::Element element;
+  static constexpr int eof = std::streambuf::traits_type::eof();
+  Input_buffer& in;
+  const Element& element;
   bool is_ascii, is_big;
-  std::vector<Type> values, counts;
-  std::vector<double> no_list;
+  std::uint64_t least_size = 0; // of a row
+  std::uint64_t row = 0;        // from 1 on
+  std::size_t length = 0;       // of the line, or of the number, as far as it is read
   std::string word;
-  std::uint64_t row = 0; // those that were read
+  std::vector<double> unwanted;
 };
+
+// Behind the last element.
+void check_end(Input_buffer& in, bool is_ascii)
+{
+  if(is_ascii || in.left() <= 2) // some programs end binary files with a new line, too
+    while(is_blank(in.sgetc()))
+      in.sbumpc();
+  if(in.left() > 0)
+    throw_error("is longer than its header says: ", in.left(),
+                " bytes follow the last element (correct the numbers of items in the header, or add the property that "
+                "is missing there)");
+}
 
 // ---
 
 // The property that has each of the columns.
-class Ply_columns {
+class Columns {
 public:
-  Ply_columns(const Ply_header::Element& points, const std::string& tolerance) : none(points.properties.size())
+  Columns(const Element& points, const std::string& tolerance) : none(points.properties.size())
   {
     places.fill(none);
     for(Column c : {Column::x, Column::y, Column::z, Column::nx, Column::ny, Column::nz})
-      place(c) = find_ply_number(points, name_of(c));
+      place(c) = find_number(points, name_of(c));
     std::vector<std::string> names; // of those that are neither coordinates nor normals
     for(std::size_t i = 0; i < none; ++i) {
-      const bool is_other =
-        !points.properties[i].is_list() && std::find(places.begin(), places.end(), i) == places.end();
+      const bool is_other = !points.properties[i].count && std::find(places.begin(), places.end(), i) == places.end();
       names.push_back(is_other ? points.properties[i].name : "");
     }
     for(std::size_t i = 0; i < none; ++i)
@@ -156,16 +391,14 @@ public:
 
   bool has(Column c) const { return places[std::size_t(c)] < none; }
 
-  bool has_three(Column first) const
+  // Those of the properties, 0 where there is none.
+  Row_values values(const std::vector<double>& numbers) const
   {
-    return has(first) && has(Column(int(first) + 1)) && has(Column(int(first) + 2));
-  }
-
-  double get(const std::vector<double>& numbers, Column c) const { return numbers[places[std::size_t(c)]]; }
-
-  std::array<double, 3> get_three(const std::vector<double>& numbers, Column first) const
-  {
-    return {get(numbers, first), get(numbers, Column(int(first) + 1)), get(numbers, Column(int(first) + 2))};
+    Row_values values = {};
+    for(std::size_t c = 0; c < values.size(); ++c)
+      if(places[c] < none)
+        values[c] = numbers[places[c]];
+    return values;
   }
 
 private:
@@ -176,7 +409,7 @@ private:
 };
 
 // Channels of 8 bits, of 16 bits, or real ones from 0 to 1: all points tell which.
-class Ply_colors {
+class Colors {
 public:
   void look_at(const std::array<double, 3>& color)
   {
@@ -191,10 +424,9 @@ public:
   Input_color operator[](std::size_t i) const
   {
     const double unit = !is_integer && largest <= 1 ? 65535 : largest <= 255 ? 257 : 1;
-    Input_color color = {0, 0, 0};
+    Input_color color;
     for(std::size_t c = 0; c < 3; ++c)
-      if(const double x = unit * colors[i][c]; x > 0)
-        color[c] = std::uint16_t(std::lround((std::min)(x, 65535.)));
+      color[c] = clamped<std::uint16_t>(unit * colors[i][c]);
     return color;
   }
 
@@ -204,61 +436,24 @@ private:
   bool is_integer = true;
 };
 
-Point_row row_of(const Ply_columns& columns, const Fields& fields, const std::vector<double>& numbers)
-{
-  Point_row row;
-  const std::array<double, 3> point = columns.get_three(numbers, Column::x);
-  std::copy(point.begin(), point.end(), row.point);
-  if(fields.normal) {
-    const std::array<double, 3> normal = columns.get_three(numbers, Column::nx);
-    std::copy(normal.begin(), normal.end(), row.normal);
-  }
-  if(fields.intensity)
-    row.intensity = float(columns.get(numbers, Column::intensity));
-  if(fields.classification) {
-    const double x = columns.get(numbers, Column::classification);
-    row.classification = x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0);
-  }
-  if(fields.tolerance)
-    row.tolerance = columns.get(numbers, Column::tolerance);
-  return row;
-}
-
-void add_faces(Byte_source& file, const std::string& format, const Ply_part& part, Mesh_faces& faces)
-{
-  const std::vector<Ply_header::Property>& properties = part.element.properties;
-  const auto are_corners = [](const Ply_header::Property& p) {
-    return p.is_list() && (p.name == "vertex_indices" || p.name == "vertex_index");
-  };
-  const auto corners = std::find_if(properties.begin(), properties.end(), are_corners);
-  if(part.element.name == "tristrips" || corners == properties.end())
-    throw_error("has '", part.element.name, "' without the corners of single faces; --sample 0 takes its points");
-  Ply_rows rows(file, format, part);
-  std::vector<double> numbers, face;
-  for(std::uint64_t i = 0; i < part.element.count; ++i) {
-    rows.next(numbers, std::size_t(corners - properties.begin()), face);
-    faces.add(face);
-  }
-}
-
-void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings& settings, Point_set& points,
+void read_points(Rows& rows, const Element& element, const Input_settings& settings, Point_set& points,
                  Input_notes& notes)
 {
-  const Ply_columns columns(parts.points.element, settings.tolerance);
-  const Fields fields = {columns.has_three(Column::nx), columns.has_three(Column::red), columns.has(Column::intensity),
-                         columns.has(Column::classification), columns.has(Column::tolerance)};
+  const Columns columns(element, settings.tolerance);
+  const Fields fields = fields_of([&](Column c) { return columns.has(c); });
   if(!settings.classes.empty() && !fields.classification)
     throw std::runtime_error("has no property 'classification', which --classes needs");
-  Ply_rows rows(file, parts.format, parts.points);
   Cloud_builder builder(points, fields, settings, notes);
-  Ply_colors colors;
+  Colors colors;
   std::vector<double> numbers;
-  for(std::uint64_t i = 0; i < parts.points.element.count; ++i) {
+  for(std::uint64_t i = 0; i < element.count; ++i) {
     rows.next(numbers);
-    const bool is_kept = builder.add(row_of(columns, fields, numbers));
+    const Row_values values = columns.values(numbers);
+    const bool is_kept = builder.add(row_of(values));
     if(!fields.color)
       continue;
-    const std::array<double, 3> color = columns.get_three(numbers, Column::red);
+    const double* const first = &values[std::size_t(Column::red)];
+    const std::array<double, 3> color = {first[0], first[1], first[2]};
     colors.look_at(color);
     if(is_kept)
       colors.add(color);
@@ -267,27 +462,53 @@ void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings
     builder.set_colors(colors);
 }
 
+void add_faces(Rows& rows, const Element& element, Mesh_faces& faces)
+{
+  const auto are_corners = [](const Property& p) {
+    return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
+  };
+  const auto corners = std::find_if(element.properties.begin(), element.properties.end(), are_corners);
+  if(element.name == "tristrips" || corners == element.properties.end())
+    throw_error("has '", element.name, "' without the corners of single faces; --sample 0 takes its points");
+  std::vector<double> numbers, face;
+  for(std::uint64_t i = 0; i < element.count; ++i) {
+    rows.next(numbers, std::size_t(corners - element.properties.begin()), face);
+    faces.add(face);
+  }
+}
+
 } // namespace
 
 void read_ply(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes)
 {
-  const Ply_parts parts = find_ply_parts(file);
+  Input_buffer in(file);
+  Text_lines lines(in);
+  const Header header = read_header(lines);
+  const Element& element_of_points = points_of(header);
   std::uint64_t number_of_faces = 0;
-  for(const Ply_part& part : parts.faces)
-    number_of_faces += part.element.count;
-  const bool is_sampled = samples_faces(number_of_faces, settings, notes);
-  if(is_sampled)
-    check_no_attributes(settings, "has faces: the points that --sample puts on them");
-  Input_settings of_points = settings;
-  if(is_sampled)
-    of_points.crop.reset(); // of the points on the faces, not of corners
-  read_points(file, parts, of_points, points, notes);
-  if(!is_sampled)
+  for(const Element& element : header.elements)
+    number_of_faces += element.has_faces() ? element.count : 0;
+  const Input_settings of_points = settings_of_corners(number_of_faces, settings);
+  std::vector<std::pair<const Element*, std::uint64_t>> faces; // and where they begin
+  for(const Element& element : header.elements) {
+    Rows rows(in, header.format, element);
+    if(element.has_faces())
+      faces.emplace_back(&element, in.position());
+    if(&element == &element_of_points)
+      read_points(rows, element, of_points, points, notes);
+    else
+      rows.skip();
+  }
+  check_end(in, header.format == "ascii");
+  if(!samples_faces(number_of_faces, settings, notes))
     return;
-  Mesh_faces faces(points);
-  for(const Ply_part& part : parts.faces)
-    add_faces(file, parts.format, part, faces);
-  points = faces.sample(*settings.sample);
+  Mesh_faces mesh(points);
+  for(const auto& [element, first] : faces) {
+    Input_buffer of_faces(file, first);
+    Rows rows(of_faces, header.format, *element);
+    add_faces(rows, *element, mesh);
+  }
+  points = mesh.sample(settings, notes);
 }
 
 } // namespace program

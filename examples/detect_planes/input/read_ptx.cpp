@@ -14,17 +14,7 @@ struct Ptx_header {
   std::array<std::array<double, 4>, 4> matrix;
 };
 
-std::vector<double> numbers_of(const Text_row& row)
-{
-  std::vector<double> numbers;
-  for(std::string_view text : values_of(row.text)) {
-    const std::optional<double> number = parse_number(text);
-    if(!number)
-      fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
+std::vector<double> numbers_of(const Text_row& row) { return numbers_of(row, Table_values(row.text)); }
 
 // A row of the header, with that many numbers.
 std::vector<double> read_numbers(Table_rows& rows, std::size_t count)
@@ -59,87 +49,18 @@ Ptx_header read_header(Table_rows& rows)
   return header;
 }
 
-// In the coordinates that all scans have.
-void move_point(const Ptx_header& header, double (&p)[3])
+// The point in the coordinates that all scans have.
+Point_row row_of(const Ptx_header& header, const std::vector<double>& numbers)
 {
   const auto& m = header.matrix;
-  const std::array<double, 3> from = {p[0], p[1], p[2]};
-  for(std::size_t i = 0; i < 3; ++i)
-    p[i] = std::fma(from[0], m[0][i], std::fma(from[1], m[1][i], std::fma(from[2], m[2][i], m[3][i])));
-}
-
-Point_row row_of(const std::vector<double>& numbers)
-{
   Point_row row;
-  std::copy(numbers.begin(), numbers.begin() + 3, row.point);
+  for(std::size_t i = 0; i < 3; ++i)
+    row.point[i] = std::fma(numbers[0], m[0][i], std::fma(numbers[1], m[1][i], std::fma(numbers[2], m[2][i], m[3][i])));
   row.intensity = float(numbers[3]);
   for(std::size_t c = 0; c < 3 && numbers.size() == 7; ++c)
     row.color[c] = numbers[4 + c] > 0 ? wide_channel(std::uint8_t((std::min)(numbers[4 + c], 255.))) : std::uint16_t(0);
   return row;
 }
-
-// Adds the points of all scans.
-class Ptx_reader {
-public:
-  Ptx_reader(Table_rows& rows, const Input_settings& settings, Point_set& points, Input_notes& notes)
-    : rows(rows), settings(settings), points(points), notes(notes)
-  {}
-
-  void read()
-  {
-    std::size_t scans = 0;
-    for(; rows.next(); ++scans) {
-      const Ptx_header header = read_header(rows);
-      const auto& place = header.matrix[3];
-      if(scans == 0)
-        notes.viewpoint = {{place[0], place[1], place[2]}, false};
-      for(std::uint64_t i = 0; i < header.count; ++i)
-        read_point(header, i);
-    }
-    if(scans > 1)
-      notes.viewpoint.reset();
-    notes.lines.emplace_back("scans", std::to_string(scans) +
-                                        (scans > 1 ? " in one file, of no single viewpoint" : "") + ", " +
-                                        std::to_string(empty) + " pixels without a point left out");
-  }
-
-private:
-  void read_point(const Ptx_header& header, std::uint64_t i)
-  {
-    if(!rows.next())
-      throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
-    const std::vector<double> numbers = numbers_of(rows.row());
-    if(!builder)
-      begin(numbers.size());
-    if(numbers.size() != size || (size != 4 && size != 7))
-      fail_at_row(rows.row().number, "has " + std::to_string(numbers.size()) +
-                                       " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
-    Point_row row = row_of(numbers);
-    if(row.point[0] == 0 && row.point[1] == 0 && row.point[2] == 0) {
-      ++empty;
-      return;
-    }
-    move_point(header, row.point);
-    builder->add(row);
-  }
-
-  void begin(std::size_t numbers)
-  {
-    size = numbers;
-    Fields fields;
-    fields.intensity = true;
-    fields.color = size == 7;
-    builder.emplace(points, fields, settings, notes);
-  }
-
-  Table_rows& rows;
-  const Input_settings& settings;
-  Point_set& points;
-  Input_notes& notes;
-  std::optional<Cloud_builder> builder;
-  std::size_t size = 0;    // of a row
-  std::uint64_t empty = 0; // pixels
-};
 
 } // namespace
 
@@ -149,7 +70,34 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
   Input_buffer in(file);
   Text_lines lines(in);
   Table_rows rows(lines, settings.has_decimal_commas);
-  Ptx_reader(rows, settings, points, notes).read();
+  std::optional<Cloud_builder> builder;
+  std::size_t scans = 0, size = 0; // of a row
+  std::uint64_t empty = 0;         // pixels
+  for(; rows.next(); ++scans) {
+    const Ptx_header header = read_header(rows);
+    if(scans == 0)
+      notes.viewpoint = {{header.matrix[3][0], header.matrix[3][1], header.matrix[3][2]}, false};
+    for(std::uint64_t i = 0; i < header.count; ++i) {
+      if(!rows.next())
+        throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
+      const std::vector<double> numbers = numbers_of(rows.row());
+      if(!builder) {
+        size = numbers.size();
+        builder.emplace(points, Fields{false, size == 7, true, false, false}, settings, notes);
+      }
+      if(numbers.size() != size || (size != 4 && size != 7))
+        fail_at_row(rows.row().number, "has " + std::to_string(numbers.size()) +
+                                         " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
+      if(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)
+        ++empty;
+      else
+        builder->add(row_of(header, numbers));
+    }
+  }
+  if(scans > 1)
+    notes.viewpoint.reset();
+  notes.lines.emplace_back("scans", text_of(scans, (scans > 1 ? " in one file, of no single viewpoint" : ""), ", ",
+                                            empty, " pixels without a point left out"));
 }
 
 } // namespace program

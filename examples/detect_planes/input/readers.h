@@ -17,6 +17,15 @@ struct Fields {
   bool normal = false, color = false, intensity = false, classification = false, tolerance = false;
 };
 
+// has(column): normals and colors have three.
+template <class Has>
+Fields fields_of(const Has& has)
+{
+  return {has(Column::nx) && has(Column::ny) && has(Column::nz),
+          has(Column::red) && has(Column::green) && has(Column::blue), has(Column::intensity),
+          has(Column::classification), has(Column::tolerance)};
+}
+
 struct Point_row {
   double point[3] = {0, 0, 0};
   double normal[3] = {0, 0, 0};
@@ -25,6 +34,30 @@ struct Point_row {
   std::uint8_t classification = 0;
   double tolerance = 0;
 };
+
+// Rounded, from 0 on; of NaN 0.
+template <class Integer>
+Integer clamped(double x)
+{
+  constexpr double largest = double((std::numeric_limits<Integer>::max)());
+  return x > 0 ? Integer(std::lround((std::min)(x, largest))) : Integer(0);
+}
+
+inline std::uint8_t class_of_number(double x) { return x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0); }
+
+// But for the color.
+inline Point_row row_of(const Row_values& values)
+{
+  Point_row row;
+  for(std::size_t c = 0; c < 3; ++c) {
+    row.point[c] = values[c];
+    row.normal[c] = values[std::size_t(Column::nx) + c];
+  }
+  row.intensity = float(values[std::size_t(Column::intensity)]);
+  row.classification = class_of_number(values[std::size_t(Column::classification)]);
+  row.tolerance = values[std::size_t(Column::tolerance)];
+  return row;
+}
 
 // Some writers put channels of 8 bits into 16: 255 becomes 65535.
 constexpr std::uint16_t wide_channel(std::uint8_t channel) { return std::uint16_t(257 * channel); }
@@ -51,13 +84,14 @@ public:
   bool add(const Point_row& row)
   {
     const std::vector<int>& classes = settings.classes;
-    if(settings.crop)
-      notes.box.add(row.point);
-    if(settings.crop && !settings.crop->has(row.point))
+    const Kernel::Point_3 point(row.point[0], row.point[1], row.point[2]);
+    if(settings.crop && is_finite(point))
+      notes.box += point.bbox();
+    if(settings.crop && !is_within(row.point, *settings.crop))
       return false;
     if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
       return false;
-    const Point_set::Index i = *points.insert(Kernel::Point_3(row.point[0], row.point[1], row.point[2]));
+    const Point_set::Index i = *points.insert(point);
     if(fields.normal)
       points.normal(i) = Kernel::Vector_3(row.normal[0], row.normal[1], row.normal[2]);
     if(fields.color)
@@ -123,6 +157,16 @@ inline bool samples_faces(std::uint64_t faces, const Input_settings& settings, I
   return is_sampled && faces > 0;
 }
 
+// How the corners of the faces are read, if points are put on these: then it is those that are cropped.
+inline Input_settings settings_of_corners(std::uint64_t faces, Input_settings settings)
+{
+  if(faces == 0 || settings.sample.value_or(0) == 0)
+    return settings;
+  check_no_attributes(settings, "has faces: the points that --sample puts on them");
+  settings.crop.reset();
+  return settings;
+}
+
 // Faces are fans of triangles around their first corner. Each operation is rounded by itself, or is std::fma, so that
 // the points are the same on all machines.
 class Mesh_faces {
@@ -154,21 +198,23 @@ public:
   }
 
   // As many points on each part of the faces as its area asks for, in the order of the faces, with their normals.
-  Point_set sample(std::size_t number) const
+  Point_set sample(const Input_settings& settings, Input_notes& notes) const
   {
     if(triangles.empty())
       throw std::runtime_error("has faces, but none that has an area");
-    Point_set points;
-    points.add_normal_map();
-    const double step = areas.back() / double(number);
+    const double step = areas.back() / double(*settings.sample);
     if(!std::isfinite(areas.back()))
       throw std::runtime_error("has faces whose area is not finite");
+    Point_set points;
+    Fields fields;
+    fields.normal = true;
+    Cloud_builder builder(points, fields, settings, notes);
     std::size_t t = 0;
-    for(std::size_t i = 0; i < number; ++i) {
+    for(std::size_t i = 0; i < *settings.sample; ++i) {
       const double place = (double(i) + random(3 * i)) * step;
       while(t + 1 < triangles.size() && areas[t] <= place)
         ++t;
-      add_point(triangles[t], random(3 * i + 1), random(3 * i + 2), points);
+      builder.add(point_on(triangles[t], random(3 * i + 1), random(3 * i + 2)));
     }
     return points;
   }
@@ -209,7 +255,7 @@ private:
     return std::sqrt(std::fma(v[0], v[0], std::fma(v[1], v[1], square)));
   }
 
-  void add_point(const Triangle& t, double u, double v, Point_set& points) const
+  Point_row point_on(const Triangle& t, double u, double v) const
   {
     if(u + v > 1) {
       u = 1 - u;
@@ -217,9 +263,12 @@ private:
     }
     const Vector a = edge(t, 1), b = edge(t, 2), normal = normal_of(t);
     const double size = length(normal);
-    const auto coordinate = [&](std::size_t i) { return std::fma(u, a[i], std::fma(v, b[i], corners[t[0]][i])); };
-    const Point_set::Index i = *points.insert(Kernel::Point_3(coordinate(0), coordinate(1), coordinate(2)));
-    points.normal(i) = Kernel::Vector_3(normal[0] / size, normal[1] / size, normal[2] / size);
+    Point_row row;
+    for(std::size_t i = 0; i < 3; ++i) {
+      row.point[i] = std::fma(u, a[i], std::fma(v, b[i], corners[t[0]][i]));
+      row.normal[i] = normal[i] / size;
+    }
+    return row;
   }
 
   std::vector<Vector> corners;
@@ -234,23 +283,25 @@ private:
 template <class T>
 T number_at(const char* bytes)
 {
-  std::uint64_t bits = 0;
-  for(std::size_t i = 0; i < sizeof(T); ++i)
-    bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << 8 * i;
   T value;
-  if constexpr(sizeof(T) == 8) {
-    std::memcpy(&value, &bits, 8);
-  } else if constexpr(sizeof(T) == 4) {
-    const std::uint32_t low = std::uint32_t(bits);
-    std::memcpy(&value, &low, 4);
-  } else {
-    value = T(bits);
-  }
-  return value;
+  std::memcpy(&value, bytes, sizeof(T));
+  return little_endian(value);
 }
 
 // A little-endian number of a type that is known at run time: I, U or F, signed, unsigned or real.
-double number_of_type(const char* bytes, char type, std::size_t size);
+inline double number_of_type(const char* bytes, char type, std::size_t size)
+{
+  const auto number = [=](auto is_signed, auto is_unsigned) {
+    return type == 'I' ? double(number_at<decltype(is_signed)>(bytes))
+                       : double(number_at<decltype(is_unsigned)>(bytes));
+  };
+  if(type == 'F')
+    return size == 4 ? double(number_at<float>(bytes)) : number_at<double>(bytes);
+  return size == 1   ? number(std::int8_t(), std::uint8_t())
+         : size == 2 ? number(std::int16_t(), std::uint16_t())
+         : size == 4 ? number(std::int32_t(), std::uint32_t())
+                     : number(std::int64_t(), std::uint64_t());
+}
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

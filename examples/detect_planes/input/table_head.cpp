@@ -7,6 +7,9 @@ namespace program {
 
 namespace {
 
+// The first rows of a table, all with as many values; NaN for what is no number.
+using Sample = std::vector<std::vector<double>>;
+
 // Of the rows that have values there: some scanners write NaN where nothing came back.
 template <class Is_right>
 bool all_values(const Sample& rows, std::size_t first, Is_right is_right)
@@ -28,6 +31,12 @@ bool are_integer_colors(const Sample& rows, std::size_t first)
   return all_values(rows, first, [](double x) { return x >= 0 && x <= 65535 && x == std::floor(x); });
 }
 
+// Channels from 0 to 1, at least one of which is between.
+bool are_real_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
+}
+
 bool is_number(const Sample& rows, std::size_t column)
 {
   return std::none_of(rows.begin(), rows.end(), [=](const auto& row) { return std::isnan(row[column]); });
@@ -46,31 +55,25 @@ std::vector<Column> columns_by(const std::vector<std::string>& names, Column_of 
   return has_coordinates(columns) ? columns : std::vector<Column>();
 }
 
-// Of names of maps, such as Easting, Northing and Elevation. Without a unit in parentheses.
-std::string map_name(const std::string& text)
+using Names = std::initializer_list<const char*>;
+
+// Of names of maps or of the globe, such as Easting and Northing. Without a unit in parentheses.
+Column column_by(const std::string& text, Names x, Names y, Names z)
 {
-  const std::string name = plain_name(text);
-  return name.substr(0, name.find_first_of("(["));
+  const std::string plain = plain_name(text), name = plain.substr(0, plain.find_first_of("(["));
+  return is_in(name, x) ? Column::x : is_in(name, y) ? Column::y : is_in(name, z) ? Column::z : column_of_name(text);
 }
 
 Column column_of_map_name(const std::string& text)
 {
-  const std::string name = map_name(text);
-  if(is_in(name, {"easting", "east", "e", "x"}))
-    return Column::x;
-  if(is_in(name, {"northing", "north", "n", "y"}))
-    return Column::y;
-  return is_in(name, {"elevation", "elev", "height", "h", "altitude", "alt", "z"}) ? Column::z : column_of_name(text);
+  return column_by(text, {"easting", "east", "e", "x"}, {"northing", "north", "n", "y"},
+                   {"elevation", "elev", "height", "h", "altitude", "alt", "z"});
 }
 
 Column column_of_geographic_name(const std::string& text)
 {
-  const std::string name = map_name(text);
-  if(is_in(name, {"lon", "long", "longitude"}))
-    return Column::x;
-  if(is_in(name, {"lat", "latitude"}))
-    return Column::y;
-  return is_in(name, {"height", "h", "altitude", "alt", "elevation"}) ? Column::z : column_of_name(text);
+  return column_by(text, {"lon", "long", "longitude"}, {"lat", "latitude"},
+                   {"height", "h", "altitude", "alt", "elevation"});
 }
 
 void place(std::vector<Column>& columns, std::size_t first, Column name)
@@ -167,6 +170,20 @@ std::vector<Column> recognize_columns(const Sample& rows, const std::string& ext
 
 // --- What stands before the points
 
+// The rows that have as many values as the first one; the others are reported when they are read.
+Sample sample_of(const std::vector<Text_row>& rows)
+{
+  Sample sample;
+  for(const Text_row& row : rows) {
+    std::vector<double> numbers;
+    for(std::string_view value : values_of(row.text))
+      numbers.push_back(parse_number(value).value_or(std::numeric_limits<double>::quiet_NaN()));
+    if(sample.empty() || numbers.size() == sample.front().size())
+      sample.push_back(numbers);
+  }
+  return sample;
+}
+
 std::size_t parse_count(const Text_row& row, std::string_view text)
 {
   long long count = 0;
@@ -203,13 +220,13 @@ bool are_names(const std::vector<std::string_view>& values)
 void check_raster(const std::vector<std::string_view>& values)
 {
   if(!values.empty() && plain_name(values[0]) == "ncols")
-    throw std::runtime_error(
-      "is a raster of ESRI (its first word is ncols), and no table of points; make one of it with "
-      "gdal_translate -of XYZ, for example");
+    throw std::runtime_error("is a raster of ESRI (its first word is ncols), and no table of points; make one of it "
+                             "with gdal_translate -of XYZ, for example");
 }
 
 // A line before the first point.
-void read_head_line(const Text_row& row, Table_head& head)
+void read_head_line(const Text_row& row, Table_head& head, std::vector<std::string>& head_names,
+                    bool& has_skipped_names)
 {
   const std::vector<std::string_view> values = values_of(row.text);
   check_raster(values);
@@ -229,10 +246,9 @@ void read_head_line(const Text_row& row, Table_head& head)
   if(!columns.empty() && head.source != Source::option) {
     head.source = Source::header;
     head.columns = columns;
-    head.names = names;
-  } else if(!has_note && columns.empty() && head.source == Source::option && !head.has_skipped_names &&
-            are_names(values)) {
-    head.has_skipped_names = true;
+    head_names = names;
+  } else if(!has_note && columns.empty() && head.source == Source::option && !has_skipped_names && are_names(values)) {
+    has_skipped_names = true;
   } else if(!has_note && columns.empty() && are_names(values)) {
     fail_at_row(row.number, "is a line of names that do not tell x, y and z (name the columns by --columns)");
   } else if(!has_note && columns.empty()) {
@@ -240,48 +256,7 @@ void read_head_line(const Text_row& row, Table_head& head)
   }
 }
 
-} // namespace
-
-bool are_real_colors(const Sample& rows, std::size_t first)
-{
-  return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
-}
-
-void fail_at(const Text_row& row, const std::string& reason)
-{
-  fail_at_row(row.number, reason + advice_on_commas(row.text) +
-                            (row.text.find(',') == row.text.npos ? "" : " (or give --decimal-comma)"));
-}
-
-Table_head read_head(Table_rows& table, const std::vector<Column>& columns)
-{
-  constexpr std::size_t most_rows = 1000, most_bytes = 1 << 20;
-  Table_head head;
-  head.columns = columns;
-  head.source = columns.empty() ? Source::sample : Source::option;
-  for(std::size_t bytes = 0; head.rows.size() < most_rows && bytes < most_bytes && table.next();)
-    if(head.rows.empty()) {
-      read_head_line(table.row(), head);
-    } else if(!is_comment(table.row().text)) {
-      head.rows.push_back(table.row());
-      bytes += table.row().text.size();
-    }
-  return head;
-}
-
-Sample sample_of(const std::vector<Text_row>& rows)
-{
-  Sample sample;
-  for(const Text_row& row : rows) {
-    std::vector<double> numbers;
-    for(std::string_view value : values_of(row.text))
-      numbers.push_back(parse_number(value).value_or(std::numeric_limits<double>::quiet_NaN()));
-    if(sample.empty() || numbers.size() == sample.front().size())
-      sample.push_back(numbers);
-  }
-  return sample;
-}
-
+// Finds integers in pairs, as 1,5, 2,5. As many values as names are told what they are.
 void check_pairs(const Table_head& head)
 {
   const auto has_pairs = [](const Text_row& row) { return has_pairs_of_integers(row.text, true); };
@@ -290,25 +265,65 @@ void check_pairs(const Table_head& head)
     fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
 }
 
-Table_columns columns_of(const Table_head& head, const Sample& sample, const std::string& extension,
-                         const std::string& tolerance)
+// names: of the columns, where a line has them.
+void find_columns(const Sample& sample, const std::vector<std::string>& names, const std::string& extension,
+                  const std::string& tolerance, Table_head& head)
 {
-  if(head.source == Source::option)
-    return {head.columns};
+  std::vector<Column>& columns = head.columns;
   if(head.source == Source::sample && !tolerance.empty())
     throw_error("has no line of names, of which --tolerance-column takes '", tolerance, "' (--columns names them)");
-  if(head.source == Source::sample)
-    return {recognize_columns(sample, extension), counts_rows(sample)};
-  Table_columns found = {head.columns};
+  if(head.source == Source::sample) {
+    columns = recognize_columns(sample, extension);
+    head.counts_rows = counts_rows(sample);
+  }
+  if(head.source != Source::header)
+    return;
   if(!tolerance.empty())
-    found.columns[find_name(head.names, tolerance, "column")] = Column::tolerance;
-  remove_incomplete(found.columns);
-  if(!has_coordinates(found.columns))
+    columns[find_name(names, tolerance, "column")] = Column::tolerance;
+  remove_incomplete(columns);
+  if(!has_coordinates(columns))
     throw_error("the column '", tolerance, "' of --tolerance-column is a coordinate");
-  found.counts_rows = !sample.empty() && sample.front().size() == head.names.size() + 1 && counts_rows(sample);
-  if(found.counts_rows)
-    found.columns.insert(found.columns.begin(), Column::none);
-  return found;
+  head.counts_rows = !sample.empty() && sample.front().size() == names.size() + 1 && counts_rows(sample);
+  if(head.counts_rows)
+    columns.insert(columns.begin(), Column::none);
+}
+
+double channel_unit_of(const std::vector<Column>& columns, const Sample& sample)
+{
+  const std::size_t first = std::size_t(std::find(columns.begin(), columns.end(), Column::red) - columns.begin());
+  const bool is_triple = first + 2 < columns.size() && columns[first + 1] == Column::green;
+  return is_triple && !sample.empty() && first + 2 < sample.front().size() && are_real_colors(sample, first) ? 65535
+                                                                                                             : 1;
+}
+
+} // namespace
+
+void fail_at(const Text_row& row, const std::string& reason)
+{
+  fail_at_row(row.number, reason + advice_on_commas(row.text) +
+                            (row.text.find(',') == row.text.npos ? "" : " (or give --decimal-comma)"));
+}
+
+Table_head read_head(Table_rows& table, const std::string& extension, const Input_settings& settings)
+{
+  constexpr std::size_t most_rows = 1000, most_bytes = 1 << 20;
+  Table_head head;
+  std::vector<std::string> names;
+  bool has_skipped_names = false;
+  head.columns = settings.columns;
+  head.source = settings.columns.empty() ? Source::sample : Source::option;
+  for(std::size_t bytes = 0; head.rows.size() < most_rows && bytes < most_bytes && table.next();)
+    if(head.rows.empty()) {
+      read_head_line(table.row(), head, names, has_skipped_names);
+    } else if(!is_comment(table.row().text)) {
+      head.rows.push_back(table.row());
+      bytes += table.row().text.size();
+    }
+  check_pairs(head);
+  const Sample sample = sample_of(head.rows);
+  find_columns(sample, names, extension, settings.tolerance, head);
+  head.channel_unit = channel_unit_of(head.columns, sample);
+  return head;
 }
 
 } // namespace program

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/writers.h"
-#include "signals.h"
+#include "errors.h"
 
 #include "../Shape_regularization_tandem/convex_polygons.h"
 
@@ -49,40 +49,36 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t 
 // Points and faces, as .off and .ply have them.
 void write_rows(std::ostream& out, const Surface& surface)
 {
-  for(const Kernel::Point_3& p : surface.points)
-    out << p << '\n';
+  write_vertices(out, surface.points, "");
   for(const auto& face : surface.faces) {
     out << face.size();
-    for(std::size_t corner : face)
-      out << ' ' << corner;
+    write_corners(out, face, 0);
     out << '\n';
   }
-}
-
-void write_off(std::ostream& out, const Surface& surface)
-{
-  out << "OFF\n" << surface.points.size() << ' ' << surface.faces.size() << " 0\n";
-  write_rows(out, surface);
 }
 
 void write_obj(std::ostream& out, const Surface& surface)
 {
   out << "# detect_planes of Tandem\n";
-  for(const Kernel::Point_3& p : surface.points)
-    out << "v " << p << '\n';
+  write_vertices(out, surface.points, "v ");
   for(const auto& face : surface.faces) {
     out << 'f';
-    for(std::size_t corner : face)
-      out << ' ' << corner + 1;
+    write_corners(out, face, 1);
     out << '\n';
   }
 }
 
-void write_ply(std::ostream& out, const Surface& surface)
+void write_surface(std::ostream& out, const Surface& surface, const std::string& extension)
 {
-  out << "ply\nformat ascii 1.0\ncomment detect_planes of Tandem\nelement vertex " << surface.points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << surface.faces.size()
-      << "\nproperty list int int vertex_indices\nend_header\n";
+  const std::size_t points = surface.points.size(), faces = surface.faces.size();
+  if(extension == ".obj")
+    return write_obj(out, surface);
+  if(extension == ".off")
+    out << "OFF\n" << points << ' ' << faces << " 0\n";
+  else
+    out << "ply\nformat ascii 1.0\ncomment detect_planes of Tandem\nelement vertex " << points
+        << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces
+        << "\nproperty list int int vertex_indices\nend_header\n";
   write_rows(out, surface);
 }
 
@@ -112,14 +108,7 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
   if(surface.is_empty())
     throw_error("--mesh: no volume was found that ", number_of(surface.number_of_planes, usable), " enclose",
                 (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
-  const std::string extension = lower_case_extension(o.mesh);
-  out << std::setprecision(17);
-  if(extension == ".off")
-    write_off(out, surface);
-  else if(extension == ".obj")
-    write_obj(out, surface);
-  else
-    write_ply(out, surface);
+  write_surface(out, surface, lower_case_extension(o.mesh));
   return {surface.number_of_planes, surface.faces.size(), usable, surface.number_of_points};
 }
 

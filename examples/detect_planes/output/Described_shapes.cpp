@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/Described_shapes.h"
+#include "output/writers.h"
 
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>

@@ -13,11 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <vector>
-
-#ifdef __unix__
 #include <sys/resource.h>
-#endif
+#include <vector>
 
 namespace program {
 
@@ -99,12 +96,8 @@ struct Run {
 
 inline std::size_t peak_process_bytes()
 {
-#ifdef __unix__
   rusage usage;
-  if(getrusage(RUSAGE_SELF, &usage) == 0)
-    return std::size_t(usage.ru_maxrss) * 1024;
-#endif
-  return 0;
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? std::size_t(usage.ru_maxrss) * 1024 : 0;
 }
 
 using Json = nlohmann::ordered_json; // doubles are written so that they are read as they were, or as null if not finite
@@ -235,19 +228,18 @@ inline Json json_of_selection(const CGAL::Tandem::Statistics& s, const Run& run)
 // A list for each member, by shape.
 inline Json uncertainties(const Shapes& shapes)
 {
-  Json centroid = Json::array(), noise = centroid, covariance = centroid, deviation = centroid, angle = centroid;
-  for(const CGAL::Tandem::Plane_uncertainty& u : shapes.data().uncertainty) {
-    centroid.push_back(u.centroid);
-    noise.push_back(u.noise);
-    covariance.push_back(u.normal_covariance);
-    deviation.push_back(u.offset_deviation);
-    angle.push_back(u.angle_deg);
-  }
-  return {{"centroid", centroid},
-          {"noise", noise},
-          {"normal_covariance", covariance},
-          {"offset_deviation", deviation},
-          {"angle_deg", angle}};
+  using Uncertainty = CGAL::Tandem::Plane_uncertainty;
+  const auto list = [&](auto member) {
+    Json json = Json::array();
+    for(const Uncertainty& u : shapes.data().uncertainty)
+      json.push_back(u.*member);
+    return json;
+  };
+  return {{"centroid", list(&Uncertainty::centroid)},
+          {"noise", list(&Uncertainty::noise)},
+          {"normal_covariance", list(&Uncertainty::normal_covariance)},
+          {"offset_deviation", list(&Uncertainty::offset_deviation)},
+          {"angle_deg", list(&Uncertainty::angle_deg)}};
 }
 
 inline std::string hash_text(const Run& run)

@@ -14,23 +14,44 @@ bool has_double(const Output_points& cloud)
          needs_double(cloud.part, [&](Point_set::Index i) { return cloud.normal(i); });
 }
 
-void write_coordinates(Binary_writer& binary, const Output_points& cloud, Point_set::Index i, bool is_double)
+// What a point has behind its color, as the formats describe it.
+struct Attribute {
+  std::string name;
+  const char* ply_type;
+  const char *pcd_size, *pcd_type;
+};
+
+std::vector<Attribute> attributes_of(const Output_points& cloud)
 {
-  const Kernel::Point_3& p = cloud.points.point(i);
-  const Kernel::Vector_3 n = cloud.normal(i);
-  for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
-    binary.write_real(x, is_double);
+  std::vector<Attribute> attributes;
+  if(cloud.intensity)
+    attributes.push_back({"intensity", "float", " 4", " F"});
+  if(cloud.classification)
+    attributes.push_back({"classification", "uchar", " 1", " U"});
+  if(cloud.tolerance)
+    attributes.push_back({"tolerance", "double", " 8", " F"});
+  attributes.push_back({cloud.label_property, "int", " 4", " I"});
+  return attributes;
 }
 
-void write_attributes(Binary_writer& binary, const Output_points& cloud, Point_set::Index i)
+// write_color(color): as the format has it.
+template <class Write_color>
+void write_points(Binary_writer& binary, const Output_points& cloud, bool is_double, const Write_color& write_color)
 {
-  if(cloud.intensity)
-    binary.write((*cloud.intensity)[i]);
-  if(cloud.classification)
-    binary.write((*cloud.classification)[i]);
-  if(cloud.tolerance)
-    binary.write((*cloud.tolerance)[i]);
-  binary.write(cloud.shape(i));
+  for(Point_set::Index i : cloud.part) {
+    const Kernel::Point_3& p = cloud.points.point(i);
+    const Kernel::Vector_3 n = cloud.normal(i);
+    for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
+      binary.write_real(x, is_double);
+    write_color(cloud.color(i));
+    if(cloud.intensity)
+      binary.write((*cloud.intensity)[i]);
+    if(cloud.classification)
+      binary.write((*cloud.classification)[i]);
+    if(cloud.tolerance)
+      binary.write((*cloud.tolerance)[i]);
+    binary.write(cloud.shape(i));
+  }
 }
 
 void write_ply(std::ostream& out, const Output_points& cloud)
@@ -39,51 +60,40 @@ void write_ply(std::ostream& out, const Output_points& cloud)
   out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex " << cloud.part.size();
   for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
     out << "\nproperty " << (is_double ? "double " : "float ") << name;
-  out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-      << (cloud.intensity ? "property float intensity\n" : "")
-      << (cloud.classification ? "property uchar classification\n" : "")
-      << (cloud.tolerance ? "property double tolerance\n" : "") << "property int " << cloud.label_property
-      << "\nend_header\n";
+  out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+  for(const Attribute& a : attributes_of(cloud))
+    out << "property " << a.ply_type << ' ' << a.name << '\n';
+  out << "end_header\n";
   Binary_writer binary(out);
-  for(Point_set::Index i : cloud.part) {
-    write_coordinates(binary, cloud, i, is_double);
-    for(std::uint8_t channel : cloud.color(i))
-      binary.write(channel);
-    write_attributes(binary, cloud, i);
-  }
+  write_points(binary, cloud, is_double, [&](const Color& color) {
+    std::for_each(color.begin(), color.end(), [&](std::uint8_t channel) { binary.write(channel); });
+  });
 }
 
 void write_pcd(std::ostream& out, const Output_points& cloud)
 {
   const bool is_double = has_double(cloud);
-  const bool has_intensity = bool(cloud.intensity), has_class = bool(cloud.classification),
-             has_tolerance = bool(cloud.tolerance);
-  const std::string size = is_double ? " 8" : " 4";
-  std::string sizes;
-  for(int i = 0; i < 6; ++i)
-    sizes += size;
-  out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb"
-      << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "")
-      << (has_tolerance ? " tolerance" : "") << ' ' << cloud.label_property << "\nSIZE" << sizes << " 4"
-      << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << (has_tolerance ? " 8" : "")
-      << " 4\nTYPE F F F F F F F" << (has_intensity ? " F" : "") << (has_class ? " U" : "")
-      << (has_tolerance ? " F" : "") << " I\nCOUNT 1 1 1 1 1 1 1" << (has_intensity ? " 1" : "")
-      << (has_class ? " 1" : "") << (has_tolerance ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
-      << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
-  Binary_writer binary(out);
-  for(Point_set::Index i : cloud.part) {
-    write_coordinates(binary, cloud, i, is_double);
-    const Color c = cloud.color(i);
-    binary.write(std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
-    write_attributes(binary, cloud, i);
+  std::string names, sizes = is_double ? " 8 8 8 8 8 8 4" : " 4 4 4 4 4 4 4", types, counts;
+  for(const Attribute& a : attributes_of(cloud)) {
+    names += ' ' + a.name;
+    sizes += a.pcd_size;
+    types += a.pcd_type;
+    counts += " 1";
   }
+  out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb" << names
+      << "\nSIZE" << sizes << "\nTYPE F F F F F F F" << types << "\nCOUNT 1 1 1 1 1 1 1" << counts << "\nWIDTH "
+      << cloud.part.size() << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
+  Binary_writer binary(out);
+  write_points(binary, cloud, is_double, [&](const Color& c) {
+    binary.write(std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
+  });
 }
 
 void write_table(std::ostream& out, const Output_points& cloud, char separator, const char* comment)
 {
   std::string names = "x y z nx ny nz r g b";
-  names += std::string(cloud.intensity ? " intensity" : "") + (cloud.classification ? " classification" : "") +
-           (cloud.tolerance ? " tolerance" : "") + ' ' + cloud.label_property;
+  for(const Attribute& a : attributes_of(cloud))
+    names += ' ' + a.name;
   std::replace(names.begin(), names.end(), ' ', separator);
   out << comment << names << '\n';
   for(Point_set::Index i : cloud.part) {

@@ -10,25 +10,19 @@ namespace program {
 namespace {
 
 struct Bounds {
-  std::array<double, 3> least, most;
+  Box box = Box(0, 0, 0, 0, 0, 0);
   std::uint64_t count = 0; // of the points that are finite
 };
 
 Bounds bounds_of(const Output_points& cloud)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Bounds b = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for(Point_set::Index i : cloud.part) {
-    const Kernel::Point_3& p = cloud.points.point(i);
-    if(!is_finite(p))
-      continue;
-    ++b.count;
-    for(int c = 0; c < 3; ++c) {
-      b.least[std::size_t(c)] = (std::min)(b.least[std::size_t(c)], p[c]);
-      b.most[std::size_t(c)] = (std::max)(b.most[std::size_t(c)], p[c]);
+  Bounds b = {Box(), 0};
+  for(Point_set::Index i : cloud.part)
+    if(is_finite(cloud.points.point(i))) {
+      ++b.count;
+      b.box += cloud.points.point(i).bbox();
     }
-  }
-  return b.count > 0 ? b : Bounds{{0, 0, 0}, {0, 0, 0}};
+  return b.count > 0 ? b : Bounds();
 }
 
 double integer_of(double x, const Las_frame& frame, std::size_t c)
@@ -45,9 +39,9 @@ constexpr double largest_integer = 2147483647;
 
 bool has_room(const Las_frame& frame, const Bounds& b)
 {
-  for(std::size_t c = 0; c < 3; ++c)
-    for(double x : {b.least[c], b.most[c]})
-      if(!(std::fabs(integer_of(x, frame, c)) <= largest_integer))
+  for(int c = 0; c < 3; ++c)
+    for(double x : {b.box.min(c), b.box.max(c)})
+      if(!(std::fabs(integer_of(x, frame, std::size_t(c))) <= largest_integer))
         return false;
   return true;
 }
@@ -69,8 +63,8 @@ double make_offset(double least, double most, double scale)
 bool set_grid(double scale, const Bounds& b, Las_frame& frame)
 {
   frame.scale = {scale, scale, scale};
-  for(std::size_t c = 0; c < 3; ++c)
-    frame.offset[c] = make_offset(b.least[c], b.most[c], scale);
+  for(int c = 0; c < 3; ++c)
+    frame.offset[std::size_t(c)] = make_offset(b.box.min(c), b.box.max(c), scale);
   return has_room(frame, b);
 }
 
@@ -126,93 +120,58 @@ std::string extra_bytes_record(const std::string& name)
   return padded(record, 54 + 160) + padded("shape of detect_planes", 32);
 }
 
-class Las_writer {
-public:
-  Las_writer(std::ostream& out, const Output_points& cloud, const Las_frame& frame, const Bounds& bounds)
-    : out(out), binary(out), cloud(cloud), frame(frame), bounds(bounds), is_format_7(needs_format_7(cloud, frame)),
-      records(frame.records)
-  {
-    records.push_back(extra_bytes_record(cloud.label_property));
-  }
-
-  void write()
-  {
-    write_header();
-    for(const std::string& record : records)
-      out << record;
-    for(Point_set::Index i : cloud.part)
-      if(is_finite(cloud.points.point(i)))
-        write_point(i);
-  }
-
-private:
-  static constexpr std::uint16_t header_size = 375;
-
-  void write_header()
-  {
-    std::size_t first_point = header_size;
-    for(const std::string& record : records)
-      first_point += record.size();
-    // WKT, which the specification asks for with this format; but keys of GeoTIFF are what they are.
-    const std::uint16_t global_encoding = is_format_7 && frame.projection != Projection::geotiff ? 16 : 0;
-    out << "LASF" << padded("", 2);
-    binary.write(global_encoding);
-    out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
-    binary.write(header_size);
-    binary.write(std::uint32_t(first_point));
-    binary.write(std::uint32_t(records.size()));
-    out << (is_format_7 ? '\7' : '\2');
-    binary.write(std::uint16_t((is_format_7 ? 36 : 26) + 4));
-    write_legacy_counts();
-    for(double x : frame.scale)
-      binary.write(x);
-    for(double x : frame.offset)
-      binary.write(x);
-    for(std::size_t c = 0; c < 3; ++c) {
-      binary.write(place_on_grid(bounds.most[c], frame, c));
-      binary.write(place_on_grid(bounds.least[c], frame, c));
-    }
-    out << padded("", 20); // neither waveforms nor extended records
-    binary.write(bounds.count);
-    binary.write(bounds.count); // all of them are first returns
-    out << padded("", 14 * 8);
-  }
-
+void write_header(std::ostream& out, const Las_frame& frame, const Bounds& bounds, bool is_format_7)
+{
+  constexpr std::uint16_t header_size = 375;
+  Binary_writer binary(out);
+  std::size_t first_point = header_size;
+  for(const std::string& record : frame.records)
+    first_point += record.size();
+  // WKT, which the specification asks for with this format; but keys of GeoTIFF are what they are.
+  const std::uint16_t global_encoding = is_format_7 && frame.projection != Projection::geotiff ? 16 : 0;
   // Not for the formats from 6 on, nor for more than 32 bits.
-  void write_legacy_counts()
-  {
-    const bool has_count = !is_format_7 && bounds.count <= 0xFFFFFFFF;
-    const std::uint32_t count = has_count ? std::uint32_t(bounds.count) : 0;
-    binary.write(count);
-    binary.write(count);
-    out << padded("", 16);
-  }
+  const std::uint32_t old_count = !is_format_7 && bounds.count <= 0xFFFFFFFF ? std::uint32_t(bounds.count) : 0;
+  out << "LASF" << padded("", 2);
+  binary.write(global_encoding);
+  out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
+  binary.write(header_size);
+  binary.write(std::uint32_t(first_point));
+  binary.write(std::uint32_t(frame.records.size()));
+  out << (is_format_7 ? '\7' : '\2');
+  binary.write(std::uint16_t((is_format_7 ? 36 : 26) + 4));
+  binary.write(old_count);
+  binary.write(old_count);
+  out << padded("", 16);
+  for(const std::array<double, 3>& numbers : {frame.scale, frame.offset})
+    for(double x : numbers)
+      binary.write(x);
+  for(int c = 0; c < 3; ++c)
+    for(double x : {bounds.box.max(c), bounds.box.min(c)})
+      binary.write(place_on_grid(x, frame, std::size_t(c)));
+  out << padded("", 20); // neither waveforms nor extended records
+  binary.write(bounds.count);
+  binary.write(bounds.count); // all of them are first returns
+  out << padded("", 14 * 8);
+}
 
-  void write_point(Point_set::Index i)
-  {
-    const Kernel::Point_3& p = cloud.points.point(i);
-    for(int c = 0; c < 3; ++c)
-      binary.write(std::int32_t(integer_of(p[c], frame, std::size_t(c))));
-    const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
-    binary.write(intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
-    const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
-    if(is_format_7)
-      out << '\x11' << '\0' << char(classification) << padded("", 13); // first return of one; no time
-    else
-      out << '\x09' << char(classification) << padded("", 4);
-    for(std::uint16_t channel : cloud.wide_color(i))
-      binary.write(channel);
-    binary.write(cloud.shape(i));
-  }
-
-  std::ostream& out;
-  Binary_writer binary;
-  const Output_points& cloud;
-  const Las_frame& frame;
-  const Bounds& bounds;
-  bool is_format_7;
-  std::vector<std::string> records;
-};
+void write_point(std::ostream& out, const Output_points& cloud, Point_set::Index i, const Las_frame& frame,
+                 bool is_format_7)
+{
+  Binary_writer binary(out);
+  const Kernel::Point_3& p = cloud.points.point(i);
+  for(int c = 0; c < 3; ++c)
+    binary.write(std::int32_t(integer_of(p[c], frame, std::size_t(c))));
+  const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
+  binary.write(intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
+  const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
+  if(is_format_7)
+    out << '\x11' << '\0' << char(classification) << padded("", 13); // first return of one; no time
+  else
+    out << '\x09' << char(classification) << padded("", 4);
+  for(std::uint16_t channel : cloud.wide_color(i))
+    binary.write(channel);
+  binary.write(cloud.shape(i));
+}
 
 } // namespace
 
@@ -226,7 +185,14 @@ void write_las(std::ostream& out, const Output_points& cloud, const std::optiona
     frame.records = frame_of_input->records;
     frame.projection = frame_of_input->projection;
   }
-  Las_writer(out, cloud, frame, bounds).write();
+  frame.records.push_back(extra_bytes_record(cloud.label_property));
+  const bool is_format_7 = needs_format_7(cloud, frame);
+  write_header(out, frame, bounds, is_format_7);
+  for(const std::string& record : frame.records)
+    out << record;
+  for(Point_set::Index i : cloud.part)
+    if(is_finite(cloud.points.point(i)))
+      write_point(out, cloud, i, frame, is_format_7);
 }
 
 } // namespace program

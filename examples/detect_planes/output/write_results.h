@@ -13,33 +13,21 @@
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
 #include <charconv>
-#include <cstring>
 #include <iomanip>
 #include <ostream>
 
 namespace program {
 
-inline bool is_little_endian()
-{
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
-
 // Binary numbers, little-endian on every machine.
 class Binary_writer {
 public:
-  explicit Binary_writer(std::ostream& out) : out(out), is_swapped(!is_little_endian()) {}
+  explicit Binary_writer(std::ostream& out) : out(out) {}
 
   template <class T>
   void write(T value)
   {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    if(is_swapped)
-      std::reverse(bytes, bytes + sizeof(T));
-    out.write(bytes, sizeof(T));
+    const T ordered = little_endian(value);
+    out.write(reinterpret_cast<const char*>(&ordered), sizeof(T));
   }
 
   void write_real(double value, bool is_double)
@@ -52,7 +40,6 @@ public:
 
 private:
   std::ostream& out;
-  bool is_swapped;
 };
 
 using Color = std::array<std::uint8_t, 3>;

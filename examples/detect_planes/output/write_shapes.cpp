@@ -47,8 +47,8 @@ void write_ply(std::ostream& out, const Shape_areas& areas, const Faces& faces)
   out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex "
       << areas.points().size() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
       << faces.size() << "\nproperty list " << (is_small ? "uchar" : "int")
-      << " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-         "property int shape\nend_header\n";
+      << " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty int "
+         "shape\nend_header\n";
   Binary_writer binary(out);
   for(const Kernel::Point_3& p : areas.points())
     for(int k = 0; k < 3; ++k)
@@ -66,24 +66,16 @@ void write_ply(std::ostream& out, const Shape_areas& areas, const Faces& faces)
   }
 }
 
-void write_vertices(std::ostream& out, const Shape_areas& areas, const char* before)
-{
-  out << std::setprecision(17);
-  for(const Kernel::Point_3& p : areas.points())
-    out << before << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-}
-
 void write_obj(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 {
   out << "# detect_planes of Tandem\n";
-  write_vertices(out, areas, "v ");
+  write_vertices(out, areas.points(), "v ");
   auto face = faces.begin();
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     out << "g shape_" << s << '\n';
     for(; face != faces.end() && face->shape == s; ++face) {
       out << 'f';
-      for(std::uint32_t corner : face->corners)
-        out << ' ' << corner + 1; // OBJ counts from 1
+      write_corners(out, face->corners, 1);
       out << '\n';
     }
   }
@@ -92,11 +84,10 @@ void write_obj(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 {
   out << "OFF\n# detect_planes of Tandem\n" << areas.points().size() << ' ' << faces.size() << " 0\n";
-  write_vertices(out, areas, "");
+  write_vertices(out, areas.points(), "");
   for(const Face& face : faces) {
     out << face.corners.size();
-    for(std::uint32_t corner : face.corners)
-      out << ' ' << corner;
+    write_corners(out, face.corners, 0);
     for(std::uint8_t channel : color_of_shape(int(face.shape)))
       out << ' ' << int(channel);
     out << '\n';

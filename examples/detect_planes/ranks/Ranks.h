@@ -128,8 +128,8 @@ inline std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv)
   if constexpr(has_mpi)
     return make_mpi_ranks(argc, argv, launch);
   throw_error(launch.size, " processes were started (", launch.variable,
-              "), but this program was built without MPI; install MPI and Boost.MPI (Debian: "
-              "libopenmpi-dev libboost-mpi-dev) and build again");
+              "), but this program was built without MPI; install MPI and Boost.MPI (Debian: libopenmpi-dev "
+              "libboost-mpi-dev) and build again");
 }
 
 } // namespace program

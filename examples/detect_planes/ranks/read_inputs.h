@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points exactly at 0 0 0, which invalid pixels of depth cameras become.
+// The inputs of a run.
 
 #ifndef DETECT_PLANES_READ_INPUTS_H
 #define DETECT_PLANES_READ_INPUTS_H
@@ -95,46 +95,25 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
 
 // ---
 
-// While they are hidden, these points have no finite coordinates, so that nothing depends on them.
-class Hidden_zeros {
-public:
-  Hidden_zeros(bool are_hidden, Point_set& cloud, Ranks& ranks) : points(cloud)
-  {
-    if(!are_hidden)
-      return;
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    std::size_t others = 0;
-    for(Point_set::Index i : points)
-      if(is_zero(points.point(i)))
-        hidden.push_back(i);
-      else
-        ++others;
-    for(Point_set::Index i : hidden)
-      points.point(i) = Kernel::Point_3(nan, nan, nan);
-    number_of_all_ = ranks.sums({(long long)(hidden.size())})[0];
-    const bool is_any = ranks.largest(double(others)) > 0;
-    ranks.together([&] {
-      if(!is_any)
-        throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
-    });
-  }
-
-  // Of all ranks.
-  std::size_t number_of_all() const { return std::size_t(number_of_all_); }
-
-  // The coordinates are those of the input again.
-  void show()
-  {
-    for(Point_set::Index i : hidden)
-      points.point(i) = Kernel::Point_3(0, 0, 0);
-    hidden.clear();
-  }
-
-private:
-  Point_set& points;
+// Points exactly at 0 0 0, which invalid pixels of depth cameras become, get no finite coordinates, so that nothing
+// depends on them. Gives the own ones, and their number on all ranks.
+inline std::vector<Point_set::Index> hide_zeros(Point_set& points, Ranks& ranks, std::size_t& number_of_all)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Point_set::Index> hidden;
-  long long number_of_all_ = 0;
-};
+  for(Point_set::Index i : points)
+    if(is_zero(points.point(i)))
+      hidden.push_back(i);
+  const bool is_any = ranks.largest(double(points.size() - hidden.size())) > 0;
+  number_of_all = std::size_t(ranks.sums({(long long)(hidden.size())})[0]);
+  for(Point_set::Index i : hidden)
+    points.point(i) = Kernel::Point_3(nan, nan, nan);
+  ranks.together([&] {
+    if(!is_any)
+      throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
+  });
+  return hidden;
+}
 
 } // namespace program
 

@@ -10,9 +10,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#ifdef __linux__
 #include <sched.h>
-#endif
 
 namespace boost {
 namespace serialization {
@@ -101,7 +99,6 @@ public:
     MPI_Comm local;
     MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &local);
     const mpi::communicator machine(local, mpi::comm_take_ownership);
-#ifdef __linux__
     // A launcher may have bound ranks to some of the processors, the same or others.
     cpu_set_t own, all;
     CPU_ZERO(&own);
@@ -109,7 +106,6 @@ public:
       MPI_Allreduce(&own, &all, int(sizeof own), MPI_BYTE, MPI_BOR, machine);
       return (std::max)((std::min)(CPU_COUNT(&own), CPU_COUNT(&all) / machine.size()), 1);
     }
-#endif
     return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
   }
 

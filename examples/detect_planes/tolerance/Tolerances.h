@@ -31,15 +31,13 @@ inline std::string source_of_tolerances(const Options& o)
   return o.has_local_distances ? "auto-local" : o.maximum_distance ? "given" : "estimated";
 }
 
-// The place of the sensor for the points of an input. Writers that know none put the default into PCD files.
-inline Kernel::Point_3 sensor_of(const Options& o, const Input_part& part)
+// The place from which the points of an input were seen, if it is known: that of the option, else that of the file.
+// Writers that know none put the default into PCD files.
+inline std::optional<Kernel::Point_3> viewpoint_of(const Options& o, const Input_part& part, bool takes_default)
 {
   const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
-  if(!o.viewpoint && (!of_file || of_file->is_default))
-    throw_error(
-      o.inputs[part.input],
-      (of_file ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none" : ": has no place of the sensor"),
-      ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
+  if(!o.viewpoint && (!of_file || (of_file->is_default && !takes_default)))
+    return std::nullopt;
   const std::array<double, 3>& place = o.viewpoint ? *o.viewpoint : of_file->place;
   return Kernel::Point_3(place[0], place[1], place[2]);
 }
@@ -56,9 +54,14 @@ inline void set_tolerances_of_noise(const Options& o, Input_cloud& cloud)
   for(const Input_part& part : cloud.parts) {
     if(part.first == part.last)
       continue;
-    const Kernel::Point_3 sensor = sensor_of(o, part);
+    const std::optional<Kernel::Point_3> sensor = viewpoint_of(o, part, false);
+    if(!sensor)
+      throw_error(o.inputs[part.input],
+                  (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none"
+                                        : ": has no place of the sensor"),
+                  ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
     for(Point_set::Index i : Point_part(cloud.points, part.first, part.last))
-      tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range_of(cloud.points.point(i) - sensor)));
+      tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range_of(cloud.points.point(i) - *sensor)));
   }
 }
 

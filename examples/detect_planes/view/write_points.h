@@ -28,22 +28,10 @@ inline std::string base64(std::string bytes)
   return text.replace(text.size() - padding, padding, padding, '=');
 }
 
-// Numbers as their bytes, least significant first, as lines of Base64: an element of a page that is no markup.
+// Numbers as their bytes, least significant first, as lines of Base64.
 class Base64_lines {
 public:
-  Base64_lines(std::ostream& out, const char* id) : out(out), binary(bytes)
-  {
-    out << "<script type=\"text/plain\" id=\"" << id << "\">\n";
-  }
-
-  ~Base64_lines()
-  {
-    flush();
-    out << "</script>\n";
-  }
-
-  Base64_lines(const Base64_lines&) = delete;
-  Base64_lines& operator=(const Base64_lines&) = delete;
+  explicit Base64_lines(std::ostream& out) : out(out), binary(bytes) {}
 
   template <class T>
   void write(T value)
@@ -54,9 +42,6 @@ public:
       flush();
   }
 
-private:
-  static constexpr std::size_t line_size = 30000;
-
   void flush()
   {
     if(size > 0)
@@ -65,11 +50,24 @@ private:
     size = 0;
   }
 
+private:
+  static constexpr std::size_t line_size = 30000;
   std::ostream& out;
   std::ostringstream bytes;
   Binary_writer binary;
   std::size_t size = 0;
 };
+
+// An element of a page that is no markup, with the numbers that write(lines) writes.
+template <class Write>
+void write_numbers(std::ostream& out, const char* id, const Write& write)
+{
+  out << "<script type=\"text/plain\" id=\"" << id << "\">\n";
+  Base64_lines lines(out);
+  write(lines);
+  lines.flush();
+  out << "</script>\n";
+}
 
 // The points that are shown, shape by shape, then those without a shape. Of every `stride` points in this order one is
 // taken, by a hash: a fixed one would follow the lines of a scan.

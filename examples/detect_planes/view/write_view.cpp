@@ -28,9 +28,8 @@ void write_loop(Base64_lines& lines, const Polygon::Loop& loop)
     lines.write(corner);
 }
 
-void write_loops(std::ostream& out, const Shape_areas& areas)
+void write_loops(Base64_lines& lines, const Shape_areas& areas)
 {
-  Base64_lines lines(out, "loops");
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     std::size_t size = 0;
     for(const Polygon& polygon : areas.polygons(s))
@@ -44,9 +43,8 @@ void write_loops(std::ostream& out, const Shape_areas& areas)
   }
 }
 
-void write_triangles(std::ostream& out, const Shape_areas& areas)
+void write_triangles(Base64_lines& lines, const Shape_areas& areas)
 {
-  Base64_lines lines(out, "triangles");
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     const auto triangles = areas.triangles(s);
     lines.write(std::uint32_t(triangles.size()));
@@ -61,26 +59,24 @@ void write_triangles(std::ostream& out, const Shape_areas& areas)
 // of its triangles, and their corners. Corners are positions in the first element, of 32 bits.
 void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Point_3& center)
 {
-  {
-    Base64_lines lines(out, "corners");
+  write_numbers(out, "corners", [&](Base64_lines& lines) {
     for(const Kernel::Point_3& p : areas.points())
       for(int k = 0; k < 3; ++k)
         lines.write(float(p[k] - center[k]));
-  }
-  write_loops(out, areas);
-  write_triangles(out, areas);
+  });
+  write_numbers(out, "loops", [&](Base64_lines& lines) { write_loops(lines, areas); });
+  write_numbers(out, "triangles", [&](Base64_lines& lines) { write_triangles(lines, areas); });
 }
 
 // Three bytes for each of the positions, if the input has colors; else the element is empty.
 void write_input_colors(std::ostream& out, const Point_set& points, const std::vector<std::uint32_t>& positions)
 {
-  Base64_lines lines(out, "input-colors");
-  const auto colors = points.property_map<Input_color>(color_name);
-  if(!colors.second)
-    return;
-  for(std::uint32_t position : positions)
-    for(std::uint16_t channel : colors.first[*(points.begin() + std::ptrdiff_t(position))])
-      lines.write(std::uint8_t(channel >> 8));
+  const auto colors = find_property<Input_color>(points, color_name);
+  write_numbers(out, "input-colors", [&](Base64_lines& lines) {
+    for(std::size_t i = 0; colors && i < positions.size(); ++i)
+      for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
+        lines.write(std::uint8_t(channel >> 8));
+  });
 }
 
 // --- The scene and its points
