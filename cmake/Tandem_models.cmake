@@ -10,7 +10,7 @@ set(tandem_models_dir "${CMAKE_CURRENT_LIST_DIR}/../include/CGAL/Shape_regulariz
 function(tandem_add_models name)
   add_library(${name} ${ARGN} "${tandem_models_dir}/tandem_models_outlines.cpp"
               "${tandem_models_dir}/tandem_models_surface.cpp")
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
   target_link_libraries(${name} PUBLIC Tandem::tandem)
   target_compile_definitions(${name} PUBLIC CGAL_TANDEM_USE_MODELS=1)
   # g++ inlines the graph cut of Boost, and does not follow what it initializes.

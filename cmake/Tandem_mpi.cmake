@@ -15,7 +15,7 @@ function(tandem_add_mpi_library)
   if(NOT TANDEM_IS_TOP_LEVEL)
     set_target_properties(tandem_mpi PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
-  set_target_properties(tandem_mpi PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(tandem_mpi PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
   target_link_libraries(tandem_mpi PUBLIC tandem_engine MPI::MPI_CXX Boost::mpi)
   # The C++ interface of old versions of MPI is not used.
   target_compile_definitions(tandem_mpi PUBLIC CGAL_TANDEM_USE_MPI=1 OMPI_SKIP_MPICXX=1 MPICH_SKIP_MPICXX=1)
