@@ -50,7 +50,7 @@ Ptx_header read_header(Table_rows& rows)
 }
 
 // The point in the coordinates that all scans have.
-Point_row row_of(const Ptx_header& header, const std::vector<double>& numbers)
+Point_row placed_row(const Ptx_header& header, const std::vector<double>& numbers)
 {
   const auto& m = header.matrix;
   Point_row row;
@@ -91,7 +91,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
       if(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)
         ++empty;
       else
-        builder->add(row_of(header, numbers));
+        builder->add(placed_row(header, numbers));
     }
   }
   if(scans > 1)
