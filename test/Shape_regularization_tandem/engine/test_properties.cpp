@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(test_corruptions)
   int parallel = 1;
   while(!shapes.are_parallel(0, std::size_t(parallel)))
     ++parallel;
-  for(const std::string violated : {"", "partition", "exact relations: not parallel", "connectivity"}) {
+  for(const std::string violated : {"", "partition", "exact relations: not parallel", "fidelity"}) {
     Shapes::Data data = shapes.data();
     double& x = data.coefficients[std::size_t(parallel)][0];
     if(violated == "exact relations: not parallel")
