@@ -25,9 +25,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 namespace archetypes {
 
@@ -350,8 +348,6 @@ struct Stage_overrides<archetypes::Backend> : No_stage_overrides {
 template <>
 struct Stage_overrides<archetypes::Rank_backend> : Stage_overrides<archetypes::Backend> {};
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H

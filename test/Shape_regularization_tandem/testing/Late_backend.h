@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // What is to be done, in its order. There is one list, as a thread has one stream.
 struct Late_work {
@@ -199,8 +197,6 @@ struct Stage_overrides<Late_backend> : No_stage_overrides {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H

@@ -18,9 +18,7 @@
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A sorted cloud, the true planes, and labels of which some are missing or wrong.
 struct Fixture {
@@ -257,8 +255,6 @@ void on_fixtures(F f)
     on_body_backends([&](auto backend, const std::string& name) { f(backend, name + ", " + fixture.name, fixture); });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H

@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The uncertainty of planes: from the caller's coordinates in double, where the detection has integers of the grid.
 // Margins bound what its rounding changes.
@@ -280,9 +278,7 @@ std::string measured_violation(const PointRange& points, const Planar_shapes_3<G
   });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 // What is wrong with a result, or nothing.
 template <class PointRange, class GeomTraits, class NP>

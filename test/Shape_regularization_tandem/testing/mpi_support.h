@@ -17,9 +17,7 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // What the library has compiled is tested, although the precompiled header defines it, too.
 using Sequential_ranks = Mpi_backend<Sequential_backend>;
@@ -33,9 +31,7 @@ extern template std::string set_scale(Tbb_ranks&, Import&, bool, Parameters&);
 extern template Shapes_data export_shapes(Tbb_ranks&, const Import&, const Parameters&, const Engine_result&);
 #endif
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 using Ranks = boost::mpi::communicator;
 using CGAL::Tandem::Mpi_tag;

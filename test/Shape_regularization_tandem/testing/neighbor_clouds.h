@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 using Grid_cloud = std::vector<Grid_point>;
 using Twister = std::mt19937;
@@ -154,8 +152,6 @@ void on_neighbor_clouds(Check check)
   }
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NEIGHBOR_CLOUDS_H
