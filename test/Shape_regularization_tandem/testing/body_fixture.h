@@ -38,9 +38,6 @@ struct Fixture {
   Tolerance tolerance_of(std::uint32_t i) const { return level.empty() ? tolerance : tolerance.at(level[i]); }
   bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance_of(i)); }
 
-  // A pass over so many parts of each cell.
-  Cells_view parts_view(std::uint32_t parts) const { return {cells.data(), lists.data(), parts}; }
-
   std::vector<Cell_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
   {
     std::vector<Cell_shapes> result(cells.size());
