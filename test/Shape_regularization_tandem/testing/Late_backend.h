@@ -118,12 +118,6 @@ public:
     add([=] { Shuffled_backend::for_each(n, f); });
   }
 
-  template <class F>
-  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
-  {
-    Shuffled_backend::for_each(n, f);
-  }
-
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {

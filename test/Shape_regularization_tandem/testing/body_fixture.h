@@ -46,18 +46,12 @@ struct Fixture {
     return result;
   }
 
-  // Of tolerances of points: most are those of the detection.
-  std::vector<std::uint8_t> mixed_levels() const
-  {
-    std::vector<std::uint8_t> levels(point.size());
-    for(std::size_t i = 0; i < levels.size(); ++i)
-      levels[i] = std::uint8_t(i % 3 == 0 ? i % 23 : 0);
-    return levels;
-  }
+  // Tolerances of points: most are those of the detection.
   void set_levels()
   {
     name += ", own tolerances";
-    level = mixed_levels();
+    for(std::size_t i = 0; i < point.size(); ++i)
+      level.push_back(std::uint8_t(i % 3 == 0 ? i % 23 : 0));
     cloud.level = cloud.surfels.level = level.data();
   }
 

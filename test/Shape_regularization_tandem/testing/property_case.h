@@ -100,11 +100,8 @@ private:
 
   void make_family()
   {
-    using Maker = Case_maker;
-    void (Maker::*const families[])() = {&Maker::make_slabs,   &Maker::make_slabs,      &Maker::make_lattice,
-                                         &Maker::make_lattice, &Maker::make_box,        &Maker::make_box,
-                                         &Maker::make_patches, &Maker::make_few_places, &Maker::make_degenerate,
-                                         &Maker::make_fan,     &Maker::make_surface};
+    void (Case_maker::*const families[])() = {&Case_maker::make_slabs, &Case_maker::make_lattice, &Case_maker::make_box,
+                                              &Case_maker::make_patches, &Case_maker::make_degenerate};
     (this->*families[below(int(std::size(families)))])();
   }
 
@@ -171,30 +168,6 @@ private:
     }
   }
 
-  // Half planes around a line, at angles of a few degrees.
-  void make_fan()
-  {
-    name_ += ": fan";
-    const int blades = 2 + below(6), points = 40 + below(150);
-    const double angle = between(.5, 40) * 3.14159265358979 / 180;
-    for(int i = 0; i < blades; ++i) {
-      const Vec out = {std::cos(i * angle), std::sin(i * angle), 0};
-      add_patch({out, out, {0, 0, 1}, epsilon_ * noise()}, points);
-    }
-  }
-
-  // Fewer places than points.
-  void make_few_places()
-  {
-    name_ += ": few places";
-    const int places = 1 + below(60);
-    for(int i = 0; i < places; ++i) {
-      const Vec p = happens(.7) ? Vec{between(0, 1), between(0, 1), 0} : random_.direction();
-      for(int copies = 1 + below(40); copies > 0; --copies)
-        add(p, happens(.7) ? Vec{0, 0, 1} : random_.direction());
-    }
-  }
-
   // Points that span no plane, or an exact one; and a few points or none.
   void make_degenerate()
   {
@@ -204,19 +177,6 @@ private:
       const Vec p = {between(0, 1), between(0, 1), between(0, 1)}; // as many of them as the kind has dimensions
       const Vec n = happens(.9) ? Vec{0, 0, 1} : random_.direction();
       add({kind > 0 ? p.x : 0, kind > 1 ? p.y : 0, kind > 2 ? p.z : 0}, n);
-    }
-  }
-
-  // A curved surface, or the inside of it.
-  void make_surface()
-  {
-    name_ += ": surface";
-    const double inside = happens(.5) ? 0 : 1;
-    const Vec axes = {between(.2, 2), between(.2, 2), between(.2, 2)};
-    for(int points = 100 + below(900); points > 0; --points) {
-      const double radius = 1 - inside * random_.uniform();
-      const Vec p = radius * random_.direction();
-      add({axes.x * p.x, axes.y * p.y, axes.z * p.z}, unit(Vec{p.x / axes.x, p.y / axes.y, p.z / axes.z}));
     }
   }
 
@@ -264,24 +224,12 @@ private:
 
   Kernel::Vector_3 spoiled(const Kernel::Vector_3& n, int kind)
   {
-    switch(kind) {
-    case 0:
-      return Kernel::Vector_3(0, happens(.5) ? 0. : -0., 0);
-    case 1:
-      return Kernel::Vector_3(n.x(), std::numeric_limits<double>::quiet_NaN(), n.z());
-    case 2:
-      return Kernel::Vector_3(n.x(), n.y(), happens(.5) ? HUGE_VAL : -HUGE_VAL);
-    case 3:
-      return -n;
-    case 4:
-      return log_between(1e-5, 1e5) * n;
-    case 5:
-      return (happens(.5) ? 1e-200 : 1e200) * n;
-    default: {
-      const Vec other = random_.direction();
-      return Kernel::Vector_3(other.x, other.y, other.z);
-    }
-    }
+    const Vec other = random_.direction();
+    const double nan = std::numeric_limits<double>::quiet_NaN(), sign = happens(.5) ? 1 : -1;
+    const Kernel::Vector_3 all[] = {
+      {0, 0. * sign, 0},          {n.x(), nan, n.z()},          {n.x(), n.y(), sign * HUGE_VAL}, -n,
+      log_between(1e-5, 1e5) * n, std::pow(10, 200 * sign) * n, {other.x, other.y, other.z}};
+    return all[kind];
   }
 
   void change_units()
