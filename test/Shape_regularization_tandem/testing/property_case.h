@@ -65,27 +65,15 @@ private:
     return scenes::Frame().turned(axis, between(0, 2));
   }
 
-  // A rectangle about `center` that is as wide as twice u and v, and `noise` thick.
-  struct Patch {
-    Vec center, u, v;
-    double noise;
-  };
-
-  void add_patch(const Patch& patch, int points)
+  // Points of a rectangle of width 2 a and 2 b about `center`, across n, with noise.
+  void add_patch(const Vec& center, const Vec& n, double a, double b, int points)
   {
-    const Vec n = unit(cross(patch.u, patch.v));
+    const Vec u = unit(cross(n, std::fabs(n.x) < .5 ? Vec{1, 0, 0} : Vec{0, 1, 0})), v = cross(n, u);
+    const double thickness = epsilon_ * noise();
     for(int i = 0; i < points; ++i) {
       const Vec r = {between(-1, 1), between(-1, 1), between(-1, 1)};
-      const Vec p = add_scaled(add_scaled(patch.center, r.x, patch.u), r.y, patch.v);
-      add(add_scaled(p, patch.noise * r.z, n), n);
+      add(add_scaled(add_scaled(add_scaled(center, a * r.x, u), b * r.y, v), thickness * r.z, n), n);
     }
-  }
-
-  // Of width 2 a and 2 b, across n.
-  Patch patch_across(const Vec& center, const Vec& n, double a, double b)
-  {
-    const Vec u = unit(cross(n, std::fabs(n.x) < .5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
-    return {center, a * u, b * cross(n, u), epsilon_ * noise()};
   }
 
   // None, or less than epsilon, or more, so that points are at its bounds.
@@ -114,7 +102,7 @@ private:
     for(int i = 0; i < layers; ++i) {
       const Vec center = {between(-.5, .5) * width, between(-.5, .5) * width, i * gap};
       const Vec n = tilted({0, 0, 1}, slant);
-      add_patch(patch_across(center, n, width, width), points);
+      add_patch(center, n, width, width, points);
     }
   }
 
@@ -148,8 +136,7 @@ private:
           const Vec n = axis_vector(axis), m = tilted(n, tilt);
           const Vec center =
             add_scaled((side + step * between(-1, 1)) * n, 3 * (part - 1), axis_vector((axis + 1) % 3));
-          const Patch patch = patch_across(center, m, .9, .9);
-          add_patch(patch, 20 + below(120));
+          add_patch(center, m, .9, .9, 20 + below(120));
         }
   }
 
@@ -163,8 +150,7 @@ private:
     for(int i = 0; i < patches; ++i) {
       const Vec n = happens(.2) ? random_.direction() : tilted(directions[below(3)], spread);
       const Vec center = room * random_.direction(), size = {between(.1, 1), between(.1, 1), 0};
-      const Patch patch = patch_across(center, n, size.x, size.y);
-      add_patch(patch, 8 + below(60));
+      add_patch(center, n, size.x, size.y, 8 + below(60));
     }
   }
 

@@ -25,12 +25,7 @@ Plane_relations relations(const std::vector<Plane>& planes, const Vec& center = 
   return Plane_relations(planes, 1, center);
 }
 
-scenes::Scene cube()
-{
-  scenes::Options options;
-  options.points = 6000;
-  return scenes::make_scene("cube", options);
-}
+scenes::Scene cube() { return scenes::make_scene("cube", {6000}); }
 
 Detection perfect(const scenes::Scene& scene)
 {

@@ -25,13 +25,6 @@ using scenes::Scene;
 using scenes::Twin;
 using scenes::Vec;
 
-Options options(std::size_t points)
-{
-  Options o;
-  o.points = points;
-  return o;
-}
-
 std::uint64_t hash(const Scene& scene)
 {
   std::uint64_t h = 0xcbf29ce484222325u;
@@ -75,7 +68,7 @@ BOOST_AUTO_TEST_CASE(clean_points_lie_on_their_faces)
 {
   for(const std::string& name : scenes::scene_names()) {
     const scenes::Model model = scenes::make_model(name);
-    const Scene scene = scenes::make_scene(model, options(5000));
+    const Scene scene = scenes::make_scene(model, {5000});
     for(std::size_t i = 0; i < scene.points.size(); ++i) {
       const std::int32_t f = scene.label[i];
       const Vec &p = scene.points[i], &n = scene.normals[i];
@@ -106,22 +99,18 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
                                                                       {"sphere", {0, 0, 0, 0}},
                                                                       {"noise", {0, 0, 0, 0}}};
   for(const auto& [name, numbers] : expected) {
-    const Scene scene = scenes::make_scene(name, options(100));
+    const Scene scene = scenes::make_scene(name, {100});
     const Plane_relations r = relations(scene);
     const std::size_t found[] = {scene.faces.size(), r.directions(), r.planes(), r.degrees_of_freedom()};
     BOOST_TEST(std::equal(numbers.begin(), numbers.end(), found), name);
   }
-  BOOST_TEST(relations(scenes::make_scene("village", options(100))).directions() == 65u);
+  BOOST_TEST(relations(scenes::make_scene("village", {100})).directions() == 65u);
 }
 
 // The same for all compilers and flags.
 BOOST_AUTO_TEST_CASE(same_seed_same_bits)
 {
-  Options o = options(5000);
-  o.noise = 0.002;
-  o.outliers = 0.2;
-  o.varies_density = true;
-  o.normals = scenes::Normals::perturbed;
+  Options o = {5000, 0.002, 0.2, true, scenes::Normals::perturbed};
   const std::map<std::string, std::uint64_t> expected = {{"house", 6212014825797636720u},
                                                          {"terrestrial", 1029664864976318346u},
                                                          {"kinect", 13497633120438636856u},

@@ -41,11 +41,7 @@ inline Cloud to_cloud(const scenes::Scene& scene)
 
 inline scenes::Options scene_options(std::size_t points, double noise = 0, double outliers = 0)
 {
-  scenes::Options options;
-  options.points = points;
-  options.noise = noise;
-  options.outliers = outliers;
-  return options;
+  return {points, noise, outliers};
 }
 
 inline Parameters make_parameters(double maximum_distance, std::size_t minimum_region_size)
