@@ -29,7 +29,7 @@ struct Pose {
   Pose(unsigned seed, double s) : scale(s)
   {
     Random random(seed);
-    frame = scenes::Frame().turned(random.direction(), 1 + random.uniform());
+    frame = scenes::Frame().turned(random.direction(), .7);
     frame.origin = 50 * random.direction();
   }
 

@@ -35,7 +35,7 @@ Scene<Kernel> make_box(int seed, double noise, double far = 0)
   using RT = typename Kernel::RT;
   CGAL::Tandem::scenes::Random random(std::uint64_t(seed) + 1);
   const auto uniform = [&] { return 2 * random.uniform() - 1; };
-  const auto frame = CGAL::Tandem::scenes::Frame().turned(random.direction(), 1 + random.uniform());
+  const auto frame = CGAL::Tandem::scenes::Frame().turned(random.direction(), .7);
   const Vec axis[] = {frame.x, frame.y, frame.z, frame.x, frame.y}, shift = {far, far, far};
   Scene<Kernel> s;
   for(int f = 0; f < 8; ++f) {
