@@ -25,6 +25,7 @@ inline void append_judgement(Row& row, const Named_cloud& c, const Task& task, c
   const std::vector<Vec>&points = c.cloud.points, &normals = normals_of(c, run);
   const std::size_t minimum = task.minimum_region_size;
   append_criteria(row, evaluate(points, normals, run.detection, task.tolerances()));
+  append_curves(row, evaluate_curves(points, normals, run.detection, task.tolerances()));
   append_score(row, evaluate_score({points, normals, graph, task.tolerances(), minimum}, run.detection), points.size());
   const bool is_known = !c.truth.faces.empty();
   append_truth(row, is_known,

@@ -51,6 +51,18 @@ inline void append_criteria(Row& row, const Criteria& c)
   append_cell_if(row, c.relations.planes > 0, "complexity_relaxed", c.relations.complexity);
 }
 
+inline void append_curves(Row& row, const Curves& curves)
+{
+  for(std::size_t n : {10, 30, 100}) {
+    append_cell(row, "top_" + std::to_string(n) + "_shapes", curves.shapes.top(n));
+    append_cell(row, "top_" + std::to_string(n) + "_planes", curves.planes.top(n));
+  }
+  for(const Needed_freedom& needed : curves.needed)
+    append_cell_if(row, needed.degrees_of_freedom > 0,
+                   "degrees_of_freedom_for_" + std::to_string(int(100 * needed.coverage + .5)),
+                   needed.degrees_of_freedom);
+}
+
 // Empty where the truth is not known, so that all rows have the same columns.
 inline void append_truth(Row& row, bool is_known, const Truth_criteria& t)
 {

@@ -107,6 +107,65 @@ BOOST_AUTO_TEST_CASE(tables_that_do_not_fit_are_refused)
   BOOST_TEST(evaluate({}, {}, {{}, {}}, {1, 25}).relations.complexity == 0);
 }
 
+// Points at given heights, upright, with a label each.
+struct Case {
+  std::vector<Vec> points, normals;
+  Detection detection;
+
+  void add(int n, double height, std::int32_t label, const Vec& normal = {0, 0, 1})
+  {
+    for(int i = 0; i < n; ++i) {
+      points.push_back({double(points.size()), 0, height});
+      normals.push_back(normal);
+      detection.label.push_back(label);
+    }
+  }
+
+  Curves curves() const { return evaluate_curves(points, normals, detection, {.25, 30}); }
+};
+
+// 100 points: 50 and 20 in one plane across a gap, 20 in a parallel one, 10 free. Then as many as these are beyond
+// epsilon or alpha, and count for no detector.
+BOOST_AUTO_TEST_CASE(curves_of_the_largest)
+{
+  Case c;
+  c.add(20, 0, 0);
+  c.add(50, 0, 1);
+  c.add(20, 2, 2);
+  c.add(10, 9, -1);
+  c.detection.planes = {{{0, 0, 1}, 0}, {{0, 0, -1}, 0}, {{0, 0, 1}, -2}, {{1, 0, 0}, 0}}; // the last has no points
+  const Curves curves = c.curves();
+  BOOST_TEST(curves.shapes.size() == 3u);
+  const double top[] = {0, .5, .7, .9, .9};
+  for(std::size_t n = 0; n < 5; ++n)
+    BOOST_TEST(curves.shapes.top(n) == top[n], within);
+  BOOST_TEST(curves.planes.size() == 2u);
+  BOOST_TEST(curves.planes.top(1) == .7, within);
+  for(const auto& [i, freedom] : {std::make_pair(0, 3u), {1, 3u}, {3, 4u}})
+    BOOST_TEST(curves.needed[i].degrees_of_freedom == freedom);
+  c.add(60, .26, 1);
+  c.add(40, 2, 2, {0, 1, 1});
+  const Curves half = c.curves();
+  BOOST_TEST(half.shapes.top(1) == .25, within);
+  BOOST_TEST(half.shapes.top(3) == .45, within);
+  BOOST_TEST(half.needed[0].degrees_of_freedom == 0u); // 45 % are not 50 %
+  c.normals.clear();
+  BOOST_TEST(c.curves().shapes.top(1) == .3, within);
+}
+
+// Planes that nearly agree are one, if nine tenths of the points of the smaller shape fit the plane of the larger one.
+BOOST_AUTO_TEST_CASE(planes_are_distinct_by_their_points)
+{
+  for(int misfits : {1, 2}) {
+    Case c;
+    c.add(30, 0, 0);
+    c.add(10 - misfits, .2, 1);
+    c.add(misfits, .3, 1);
+    c.detection.planes = {{{0, 0, 1}, 0}, {{0, 0, 1}, -.25}};
+    BOOST_TEST(c.curves().planes.size() == std::size_t(misfits));
+  }
+}
+
 // Points that moved, were lost or gained; a split shape keeps its larger part.
 BOOST_AUTO_TEST_CASE(how_far_runs_differ)
 {
