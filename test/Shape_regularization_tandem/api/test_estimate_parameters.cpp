@@ -180,7 +180,7 @@ Points scanned_room(Random& random)
   Points points;
   for(const Point& p : room(30000, 0, random)) {
     const Vector ray = p - Point(1, 1, 1);
-    points.push_back(p + .002 * (1 + std::sqrt(ray.squared_length()) / 3) * random.gaussian() * ray);
+    points.push_back(p + .002 * (1 + std::sqrt(ray.squared_length()) / 3) * random.normal() * ray);
   }
   return points;
 }
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(test_scenes)
     return [=](Random& random) { return rounded_copies(copies, jitter, random); };
   };
   const auto ridge_of = [](std::size_t n) { return [=](Random& random) { return ridge(n, 4, .01, random); }; };
-  const auto corridor = [](Random& random) { return Noisy_corridor(200, 150, 4.5, random).points; };
+  const auto corridor = [](Random& random) { return Corridor(200, 150, 4.5, random).points; };
   const std::vector<Scene> all = {{"sheets", sheets, .01, .03, "another one"},
                                   {"small ridge", ridge_of(2500), .022, .045, nullptr},
                                   {"large ridge", ridge_of(20000), .022, .045, nullptr},
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(test_points_far_away)
 BOOST_AUTO_TEST_CASE(test_local_in_corridor)
 {
   Random random(1);
-  const Noisy_corridor corridor(200, 150, 5, random);
+  const Corridor corridor(200, 150, 5, random);
   const Points& points = corridor.points;
   const std::vector<double> distance = estimate_local_distances<Tag>(points);
   const double per_noise =

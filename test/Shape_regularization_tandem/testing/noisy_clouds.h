@@ -6,40 +6,64 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NOISY_CLOUDS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NOISY_CLOUDS_H
 
-#include "tolerances.h"
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 namespace noisy_clouds {
 
+using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
-using scenes::Random;
 
-inline Vector random_vector(Random& random)
-{
-  const scenes::Vec v = random.gaussian_vector();
-  return {v.x, v.y, v.z};
-}
+// Numbers that do not depend on the library.
+class Random {
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  double uniform() { return double(engine_() >> 5) * 0x1p-27; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  // Of variance 1.
+  double normal()
+  {
+    const double u = uniform(), v = uniform();
+    return std::sqrt(-2 * std::log(u + 1e-9)) * std::cos(6.283185307179586 * v);
+  }
+
+private:
+  std::mt19937 engine_;
+};
 
 // A rotation, a shift and a scale.
 struct Pose {
-  scenes::Frame frame;
+  Vector x, y, z, shift;
   double scale;
 
   Pose(unsigned seed, double s) : scale(s)
   {
     Random random(seed);
-    frame = scenes::Frame().turned(random.direction(), .7);
-    frame.origin = 50 * random.direction();
+    const Vector u(random.normal(), random.normal(), random.normal()),
+      v(random.normal(), random.normal(), random.normal());
+    x = u / std::sqrt(u.squared_length());
+    z = CGAL::cross_product(x, v);
+    z = z / std::sqrt(z.squared_length());
+    y = CGAL::cross_product(z, x);
+    shift = s * Vector(random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50));
   }
+
+  Vector turned(const Vector& v) const { return v.x() * x + v.y() * y + v.z() * z; }
 
   Points operator()(const Points& points) const
   {
     Points moved;
-    for(const Point& p : points) {
-      const scenes::Vec q = scale * frame.point({p.x(), p.y(), p.z()});
-      moved.emplace_back(q.x, q.y, q.z);
-    }
+    for(const Point& p : points)
+      moved.push_back(CGAL::ORIGIN + (scale * turned(p - CGAL::ORIGIN) + shift));
     return moved;
   }
 };
@@ -55,7 +79,7 @@ inline void add_patch(Points& points, std::size_t n, const Parallelogram& patch,
   const Vector w = CGAL::cross_product(patch.u, patch.v), normal = w / std::sqrt(w.squared_length());
   for(std::size_t i = 0; i < n; ++i)
     points.push_back(patch.origin + random.uniform() * patch.u + random.uniform() * patch.v +
-                     noise * random.gaussian() * normal);
+                     noise * random.normal() * normal);
 }
 
 // Floor and two walls.
@@ -74,7 +98,7 @@ inline Points copied(const Points& points, int copies, double jitter, Random& ra
   Points copy;
   for(const Point& p : points)
     for(int i = 0; i < copies; ++i)
-      copy.push_back(p + jitter * random_vector(random));
+      copy.push_back(p + jitter * Vector(random.normal(), random.normal(), random.normal()));
   return copy;
 }
 
@@ -84,8 +108,8 @@ inline Points ridge(std::size_t n, double degrees, double noise, Random& random)
   const double slope = std::tan(degrees / 2 * .017453292519943295);
   Points points;
   for(std::size_t i = 0; i < n; ++i) {
-    const double x = 12 * random.uniform() - 6, y = 10 * random.uniform();
-    points.emplace_back(x, y, 5 - std::fabs(x) * slope + noise * random.gaussian());
+    const double x = random.uniform(-6, 6);
+    points.emplace_back(x, random.uniform(0, 10), 5 - std::fabs(x) * slope + noise * random.normal());
   }
   return points;
 }
@@ -98,26 +122,32 @@ inline Points steps(int side, double step, double degrees, double noise, Random&
   for(int i = 0; i < side; ++i)
     for(int j = 0; j < side; ++j) {
       const double x = 2. * i / (side - 1), y = 2. * j / (side - 1);
-      points.emplace_back(x, y, step * std::round((slope * x + .31 * slope * y) / step + noise * random.gaussian()));
+      points.emplace_back(x, y, step * std::round((slope * x + .31 * slope * y) / step + noise * random.normal()));
     }
   return points;
 }
 
-// What a depth camera sees of a corridor, and the noise across the wall of each point.
-struct Noisy_corridor {
+// What a depth camera sees of a corridor with an end wall, with noise .0028 z^2 along each ray.
+struct Corridor {
   Points points;
-  std::vector<double> noise;
+  std::vector<double> noise; // across the wall of each point
+  double end;
   std::vector<bool> is_end;
 
-  Noisy_corridor(int width, int height, double end, Random& random)
+  Corridor(int width, int height, double e, Random& random) : end(e)
   {
-    const Corridor seen(width, height, end, random);
-    for(std::size_t i = 0; i < seen.cloud.size(); ++i) {
-      const auto& [p, n] = seen.cloud[i];
-      points.push_back(p);
-      noise.push_back(.0028 * p.z() * std::fabs(n * (p - CGAL::ORIGIN)));
-      is_end.push_back(seen.label[i] == 4);
-    }
+    const double focal = .9 * width;
+    for(int j = 0; j < height; ++j)
+      for(int i = 0; i < width; ++i) {
+        const Vector ray((i - width / 2.) / focal, (j - height / 2.) / focal, 1);
+        const double side = 1.2 / std::max(std::fabs(ray.x()), 1e-9);
+        const double level = (ray.y() > 0 ? 1.2 : 1.3) / std::max(std::fabs(ray.y()), 1e-9);
+        const double z = std::min({side, level, end});
+        const double across = z == end ? 1 : z == side ? std::fabs(ray.x()) : std::fabs(ray.y());
+        points.push_back(CGAL::ORIGIN + (z + .0028 * z * z * random.normal()) * ray);
+        noise.push_back(.0028 * z * z * across);
+        is_end.push_back(z == end);
+      }
   }
 };
 
