@@ -65,15 +65,27 @@ private:
     return scenes::Frame().turned(axis, between(0, 2));
   }
 
-  // Points of a rectangle of width 2 a and 2 b about `center`, across n, with noise.
-  void add_patch(const Vec& center, const Vec& n, double a, double b, int points)
+  // A rectangle about `center` that is as wide as twice u and v, and `noise` thick.
+  struct Patch {
+    Vec center, u, v;
+    double noise;
+  };
+
+  void add_patch(const Patch& patch, int points)
   {
-    const Vec u = unit(cross(n, std::fabs(n.x) < .5 ? Vec{1, 0, 0} : Vec{0, 1, 0})), v = cross(n, u);
-    const double thickness = epsilon_ * noise();
+    const Vec n = unit(cross(patch.u, patch.v));
     for(int i = 0; i < points; ++i) {
       const Vec r = {between(-1, 1), between(-1, 1), between(-1, 1)};
-      add(add_scaled(add_scaled(add_scaled(center, a * r.x, u), b * r.y, v), thickness * r.z, n), n);
+      const Vec p = add_scaled(add_scaled(patch.center, r.x, patch.u), r.y, patch.v);
+      add(add_scaled(p, patch.noise * r.z, n), n);
     }
+  }
+
+  // Of width 2 a and 2 b, across n.
+  Patch patch_across(const Vec& center, const Vec& n, double a, double b)
+  {
+    const Vec u = unit(cross(n, std::fabs(n.x) < .5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
+    return {center, a * u, b * cross(n, u), epsilon_ * noise()};
   }
 
   // None, or less than epsilon, or more, so that points are at its bounds.
@@ -88,8 +100,11 @@ private:
 
   void make_family()
   {
-    void (Case_maker::*const families[])() = {&Case_maker::make_slabs, &Case_maker::make_lattice, &Case_maker::make_box,
-                                              &Case_maker::make_patches, &Case_maker::make_degenerate};
+    using Maker = Case_maker;
+    void (Maker::*const families[])() = {&Maker::make_slabs,   &Maker::make_slabs,      &Maker::make_lattice,
+                                         &Maker::make_lattice, &Maker::make_box,        &Maker::make_box,
+                                         &Maker::make_patches, &Maker::make_few_places, &Maker::make_degenerate,
+                                         &Maker::make_fan,     &Maker::make_surface};
     (this->*families[below(int(std::size(families)))])();
   }
 
@@ -102,7 +117,7 @@ private:
     for(int i = 0; i < layers; ++i) {
       const Vec center = {between(-.5, .5) * width, between(-.5, .5) * width, i * gap};
       const Vec n = tilted({0, 0, 1}, slant);
-      add_patch(center, n, width, width, points);
+      add_patch(patch_across(center, n, width, width), points);
     }
   }
 
@@ -136,7 +151,8 @@ private:
           const Vec n = axis_vector(axis), m = tilted(n, tilt);
           const Vec center =
             add_scaled((side + step * between(-1, 1)) * n, 3 * (part - 1), axis_vector((axis + 1) % 3));
-          add_patch(center, m, .9, .9, 20 + below(120));
+          const Patch patch = patch_across(center, m, .9, .9);
+          add_patch(patch, 20 + below(120));
         }
   }
 
@@ -150,7 +166,32 @@ private:
     for(int i = 0; i < patches; ++i) {
       const Vec n = happens(.2) ? random_.direction() : tilted(directions[below(3)], spread);
       const Vec center = room * random_.direction(), size = {between(.1, 1), between(.1, 1), 0};
-      add_patch(center, n, size.x, size.y, 8 + below(60));
+      const Patch patch = patch_across(center, n, size.x, size.y);
+      add_patch(patch, 8 + below(60));
+    }
+  }
+
+  // Half planes around a line, at angles of a few degrees.
+  void make_fan()
+  {
+    name_ += ": fan";
+    const int blades = 2 + below(6), points = 40 + below(150);
+    const double angle = between(.5, 40) * 3.14159265358979 / 180;
+    for(int i = 0; i < blades; ++i) {
+      const Vec out = {std::cos(i * angle), std::sin(i * angle), 0};
+      add_patch({out, out, {0, 0, 1}, epsilon_ * noise()}, points);
+    }
+  }
+
+  // Fewer places than points.
+  void make_few_places()
+  {
+    name_ += ": few places";
+    const int places = 1 + below(60);
+    for(int i = 0; i < places; ++i) {
+      const Vec p = happens(.7) ? Vec{between(0, 1), between(0, 1), 0} : random_.direction();
+      for(int copies = 1 + below(40); copies > 0; --copies)
+        add(p, happens(.7) ? Vec{0, 0, 1} : random_.direction());
     }
   }
 
@@ -163,6 +204,19 @@ private:
       const Vec p = {between(0, 1), between(0, 1), between(0, 1)}; // as many of them as the kind has dimensions
       const Vec n = happens(.9) ? Vec{0, 0, 1} : random_.direction();
       add({kind > 0 ? p.x : 0, kind > 1 ? p.y : 0, kind > 2 ? p.z : 0}, n);
+    }
+  }
+
+  // A curved surface, or the inside of it.
+  void make_surface()
+  {
+    name_ += ": surface";
+    const double inside = happens(.5) ? 0 : 1;
+    const Vec axes = {between(.2, 2), between(.2, 2), between(.2, 2)};
+    for(int points = 100 + below(900); points > 0; --points) {
+      const double radius = 1 - inside * random_.uniform();
+      const Vec p = radius * random_.direction();
+      add({axes.x * p.x, axes.y * p.y, axes.z * p.z}, unit(Vec{p.x / axes.x, p.y / axes.y, p.z / axes.z}));
     }
   }
 
@@ -210,12 +264,24 @@ private:
 
   Kernel::Vector_3 spoiled(const Kernel::Vector_3& n, int kind)
   {
-    const Vec other = random_.direction();
-    const double nan = std::numeric_limits<double>::quiet_NaN(), sign = happens(.5) ? 1 : -1;
-    const Kernel::Vector_3 all[] = {
-      {0, 0. * sign, 0},          {n.x(), nan, n.z()},          {n.x(), n.y(), sign * HUGE_VAL}, -n,
-      log_between(1e-5, 1e5) * n, std::pow(10, 200 * sign) * n, {other.x, other.y, other.z}};
-    return all[kind];
+    switch(kind) {
+    case 0:
+      return Kernel::Vector_3(0, happens(.5) ? 0. : -0., 0);
+    case 1:
+      return Kernel::Vector_3(n.x(), std::numeric_limits<double>::quiet_NaN(), n.z());
+    case 2:
+      return Kernel::Vector_3(n.x(), n.y(), happens(.5) ? HUGE_VAL : -HUGE_VAL);
+    case 3:
+      return -n;
+    case 4:
+      return log_between(1e-5, 1e5) * n;
+    case 5:
+      return (happens(.5) ? 1e-200 : 1e200) * n;
+    default: {
+      const Vec other = random_.direction();
+      return Kernel::Vector_3(other.x, other.y, other.z);
+    }
+    }
   }
 
   void change_units()
