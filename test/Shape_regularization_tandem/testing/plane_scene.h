@@ -19,7 +19,7 @@ struct Scene {
   std::vector<typename Kernel::Plane_3> planes;
   std::vector<int> index;
 
-  auto index_map() const { return CGAL::make_property_map(index); }
+  auto index_map() const { return CGAL::make_property_map(index.data()); }
 };
 
 using V = std::array<double, 3>;
