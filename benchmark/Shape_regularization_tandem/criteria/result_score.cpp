@@ -60,7 +60,7 @@ std::vector<int> group(std::size_t shapes, const Same& are_same)
 void relate(const Scored_cloud& cloud, const std::vector<Plane>& planes, Shapes_data& data)
 {
   const Extent extent = extent_of(cloud.points);
-  const Plane_relations relations(planes, relaxed_relations(extent.diagonal, extent.center));
+  const Plane_relations relations(planes, extent.diagonal, extent.center);
   data.parallel_group = group(planes.size(), [&](auto s, auto t) { return relations.are_parallel(s, t); });
   data.coplanar_group = group(planes.size(), [&](auto s, auto t) { return relations.are_coplanar(s, t); });
   const std::vector<int> first = representatives(data.parallel_group);

@@ -73,12 +73,6 @@ inline void append_truth(Row& row, bool is_known, const Truth_criteria& t)
   append_cell_if(row, t.pairs > 0, "parallel_false_relaxed", t.false_parallels);
 }
 
-inline void append_spread(Row& row, const Spread& spread)
-{
-  append_cell(row, "same_result", spread.is_same);
-  append_cell(row, "points_relabeled", spread.relabeled);
-}
-
 // Empty, too, where there is no such column.
 inline std::string cell(const Row& row, const std::string& column)
 {

@@ -105,7 +105,7 @@ private:
       if(r.finished)
         detections.push_back(r.detection);
     if(!is_cleaned)
-      append_spread(row, evaluate_spread(detections));
+      append_cell(row, "points_relabeled", evaluate_spread(detections));
     return row;
   }
 

@@ -4,7 +4,7 @@
 // The three concepts that the engine is written on: what a back end supplies, what a body may use, and what connects the
 // processes that share a cloud. Each is listed here with its smallest model, the archetype, which has every operation of
 // the list and nothing else. A test compiles the engine with them, so no stage uses more than the concepts promise. They
-// compute nothing: `if(false)` compiles what is passed to them, and does not run it.
+// compute nothing: never() and `false &&` compile what is passed to them, and do not run it.
 //
 // A *back end* owns memory and runs functors and bodies; it has no notion of planes. A functor is called with an item.
 // A *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the
@@ -25,11 +25,13 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 namespace archetypes {
+
+template <class F>
+void never(F)
+{}
 
 // Block, for lanes that share the scratch of a cell:
 //   lookahead                              items worth trying before it is known whether they are needed, at most 32
@@ -54,14 +56,12 @@ struct Block {
   template <class F>
   void for_each(std::uint32_t, F f)
   {
-    if(false)
-      f(0u);
+    never([&] { f(0u); });
   }
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t, int, Row row, F f)
   {
-    if(false)
-      f(0u, *row(0u));
+    never([&] { f(0u, *row(0u)); });
   }
   template <class F>
   std::uint32_t find_first(std::uint32_t, std::uint32_t, F f)
@@ -83,17 +83,14 @@ struct Block {
   template <class F>
   void single(F f)
   {
-    if(false)
-      f();
+    never([&] { f(); });
   }
   template <class Sum, class F, class Add>
   void accumulate(std::uint32_t, F f, Add add)
   {
     Sum sum;
-    if(false)
-      f(0u, sum);
-    if(false)
-      add(sum);
+    never([&] { f(0u, sum); });
+    never([&] { add(sum); });
   }
   std::uint32_t load(const std::uint32_t&) { return 0; }
   std::uint32_t fetch_min(std::uint32_t&, std::uint32_t) { return 0; }
@@ -189,8 +186,7 @@ struct Backend {
   template <class F>
   void for_each(std::size_t, F f, std::size_t = 0)
   {
-    if(false)
-      f(std::size_t(0));
+    never([&] { f(std::size_t(0)); });
   }
 
   template <class Scratch, class Body>
@@ -218,15 +214,13 @@ struct Backend {
   std::array<std::int64_t, N> sum(std::size_t, F f)
   {
     std::array<std::int64_t, N> sums = {};
-    if(false)
-      f(std::size_t(0), sums.data());
+    never([&] { f(std::size_t(0), sums.data()); });
     return sums;
   }
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t, F f)
   {
-    if(false)
-      static_cast<void>(T(f(std::size_t(0))));
+    never([&] { static_cast<void>(T(f(std::size_t(0)))); });
     return {};
   }
   template <class Rounds>
@@ -238,8 +232,7 @@ struct Backend {
   template <class F>
   void for_each_on_host(std::size_t, F f, std::size_t = 256)
   {
-    if(false)
-      f(std::size_t(0));
+    never([&] { f(std::size_t(0)); });
   }
   template <class T>
   static T atomic_add(T& target, T)
@@ -350,8 +343,6 @@ struct Stage_overrides<archetypes::Backend> : No_stage_overrides {
 template <>
 struct Stage_overrides<archetypes::Rank_backend> : Stage_overrides<archetypes::Backend> {};
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H

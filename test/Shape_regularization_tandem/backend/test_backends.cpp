@@ -1,15 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What each back end of the host has to do: its operations, atomics, unions and rounds, the searches of blocks, and the
-// steps before and after the loop, against naive versions.
+// What each back end of the host has to do: its operations, atomics, unions and rounds, and the searches of blocks,
+// against naive versions.
 
 #include "testing/backend_operations.h"
 #include "testing/block_searches.h"
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/backend/Union_find.h>
-#include <CGAL/Tandem/internal/result/extract_shapes.h>
 
 #include <atomic>
 #include <chrono>
@@ -180,86 +179,6 @@ BOOST_AUTO_TEST_CASE(searches)
       for(std::uint32_t most : search_sizes)
         CHECK_AT(count_wrong_searches(backend, start, most) == 0,
                  name + ": searches from " + std::to_string(start) + " on for " + std::to_string(most) + " items");
-  });
-}
-
-// Many points of one code: each point 1 to 4 times, and the points between far outliers. Cells are those of one thread.
-BOOST_AUTO_TEST_CASE(order)
-{
-  std::vector<Grid_point> point;
-  const Fixture& f = fixtures().front();
-  for(std::uint32_t i = 0; i < f.cloud.size; ++i)
-    point.insert(point.end(), 1 + i % 4, f.point[i]);
-  point.push_back({1 << 28, 1 << 28, 1 << 28, no_normal});
-  point.push_back({-(1 << 28), -(1 << 28), -(1 << 28), no_normal});
-  const Code_frame frame = make_code_frame(point.data(), point.size());
-  auto key = [&](std::uint32_t i) {
-    const Grid_point& p = point[i]; // equal points: the last one first
-    return std::make_tuple(frame.code(p), frame.code_inside(p), p.x, p.y, p.z, p.normal, ~i);
-  };
-  std::vector<decltype(key(0))> sorted;
-  for(std::uint32_t i = 0; i < point.size(); ++i)
-    sorted.push_back(key(i));
-  std::sort(sorted.begin(), sorted.end());
-  Indices expected;
-  for(const auto& k : sorted)
-    expected.push_back(~std::get<6>(k));
-  const auto sort_all = [&](auto& backend) {
-    return sort_along_curve(backend, {point.data(), point.size()}, frame,
-                            make_tie_order([](std::uint32_t i, std::uint32_t j) { return i > j; }, Nothing()));
-  };
-  const auto ends_of_cells = [&](auto& backend, const auto& table, std::size_t size) {
-    Indices ends;
-    for(const Range& cell : split_cells(backend, table, frame, size)) {
-      CHECK(cell.first == (ends.empty() ? 0 : ends.back()));
-      ends.push_back(cell.last);
-    }
-    return ends;
-  };
-  Sequential_backend sequential;
-  const auto table = sort_all(sequential);
-  on_body_backends([&](auto backend, const std::string& name) {
-    const auto order = sort_all(backend);
-    Indices got;
-    for(std::size_t i = 0; i < order.size(); ++i)
-      got.push_back(order.view().index(i));
-    check_lists(got, expected, name + ": order along the curve");
-    for(std::size_t size : {64, 700})
-      check_lists(ends_of_cells(backend, order, size), ends_of_cells(sequential, table, size),
-                  name + ": cells of " + std::to_string(size));
-  });
-}
-
-// Points that the integers leave open are decided by the caller's coordinates.
-BOOST_AUTO_TEST_CASE(exact_check)
-{
-  on_fixtures([](auto& backend, const std::string& name, const Fixture& f) {
-    const std::uint32_t n = f.cloud.size;
-    const Tolerance certain = {f.tolerance.distance / 2, f.tolerance.squared_cosine};
-    const Exact_bounds bounds = {1200, 0};
-    std::vector<CGAL::Tandem::Coefficients> plane;
-    for(const Plane& p : f.plane)
-      plane.push_back({double(p.nx) / normal_scale, double(p.ny) / normal_scale, double(p.nz) / normal_scale,
-                       double(p.d) / normal_scale});
-    std::vector<double> coordinates(3 * std::size_t(n)), normals(coordinates.size(), 1);
-    Indices origin(n), label = f.label, expected = label;
-    const std::vector<std::uint8_t> level = f.mixed_levels();
-    std::size_t rejected = 0;
-    for(std::uint32_t i = 0; i < n; ++i) {
-      origin[i] = n - 1 - i;
-      const double p[3] = {double(f.point[i].x), double(f.point[i].y), double(f.point[i].z)};
-      std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
-      if(label[i] < first_mark && !fits(f.plane[label[i]], f.point[i], certain.at(level[i])) &&
-         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]}, level[i])) {
-        expected[i] = locked_label;
-        ++rejected;
-      }
-    }
-    const Surfels_view points = {f.point.data(), nullptr, nullptr, level.data()};
-    check_exactly(backend, {points, origin.data(), label.data(), n}, f.plane.data(), certain,
-                  {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
-    check_lists(label, expected, name);
-    CHECK_AT(rejected > 20 || n < 100, name + ": " + std::to_string(rejected) + " points rejected");
   });
 }
 

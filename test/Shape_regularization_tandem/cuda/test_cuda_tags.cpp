@@ -28,18 +28,6 @@ BOOST_AUTO_TEST_CASE(if_available)
   }
 }
 
-// Step by step, as the loop of a caller has it.
-BOOST_AUTO_TEST_CASE(steps)
-{
-  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_if_available_tag>;
-  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(
-    cloud, CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).normal_map(Second<Kernel>()));
-  while(detection.iterate())
-    CHECK(detection.shapes().number_of_points() == cloud.size());
-  detection.finish();
-  check_same(detection.shapes(), detect(cloud, parameters), "step by step");
-}
-
 BOOST_AUTO_TEST_CASE(report_of_device)
 {
   const std::string report = CGAL::Tandem::cuda_device_report();

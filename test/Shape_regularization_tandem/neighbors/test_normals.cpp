@@ -3,34 +3,72 @@
 //
 // Estimated normals on scenes with known faces, and of degenerate clouds. engine/test_same_bits has their bits.
 
-#include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
-#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+#include "testing/body_fixture.h"
 
-#include "testing/checks.h"
-#include "testing/turned_box.h"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_normals)
 
 using namespace CGAL::Tandem::internal;
-using namespace turned_box;
+using scenes::Vec;
 
 constexpr double epsilon = 1024; // in steps of the grid
 
-std::vector<Grid_point> points_of(const std::vector<Item>& items)
+const Vec box_size = {60 * epsilon, 40 * epsilon, 24 * epsilon};
+const scenes::Frame frame = scenes::Frame().turned({1, 2, 3}, .4);
+
+Grid_point on_grid(const Vec& p) { return {std::int32_t(p.x), std::int32_t(p.y), std::int32_t(p.z), no_normal}; }
+
+// Along the curve, and the order that this is.
+std::vector<Grid_point> sorted(const std::vector<Grid_point>& points, std::vector<std::size_t>* order = nullptr)
 {
-  std::vector<Grid_point> points;
-  for(const Item& e : items)
-    points.push_back(e.point);
-  return points;
+  Fixture f;
+  const std::vector<std::size_t> found = set_points(f, points, 1, 64);
+  if(order != nullptr)
+    *order = found;
+  return f.point;
 }
+
+// The noisy sides of a turned box, and clutter around it.
+struct Box_cloud {
+  std::vector<Grid_point> points;
+  std::vector<int> face;      // axis of its normal; of clutter, that of the nearest side that it is over
+  std::vector<double> height; // of clutter over that side, -1 for the points of a side
+
+  Box_cloud(std::size_t size, double clutter, double sigma)
+  {
+    scenes::Model model;
+    model.add_box_faces(frame, {0, 0, 0}, box_size, scenes::side_all);
+    scenes::Options options = scene_options(size, 0, clutter);
+    options.noise = sigma / scenes::make_scene(model, scene_options(1)).diagonal;
+    const scenes::Scene scene = scenes::make_scene(model, options);
+    for(const Vec& p : scene.points)
+      points.push_back(on_grid(p));
+    std::vector<std::size_t> order;
+    points = sorted(points, &order);
+    for(const std::size_t i : order) {
+      face.push_back(scene.label[i] / 2);
+      height.push_back(scene.label[i] < 0 ? 1e9 : -1);
+      if(scene.label[i] < 0)
+        find_side(scene.points[i]);
+    }
+  }
+
+private:
+  void find_side(const Vec& p)
+  {
+    const double c[3] = {dot(p, frame.x), dot(p, frame.y), dot(p, frame.z)},
+                 size[] = {box_size.x, box_size.y, box_size.z};
+    const auto is_within = [&](int k) { return c[k] > 0 && c[k] < size[k]; };
+    for(int k = 0; k < 3; ++k) {
+      const double over = (std::min)(std::fabs(c[k]), std::fabs(c[k] - size[k]));
+      if(is_within((k + 1) % 3) && is_within((k + 2) % 3) && over < height.back()) {
+        face.back() = k;
+        height.back() = over;
+      }
+    }
+  }
+};
 
 std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = tuning::normals::maximum_neighbors)
 {
@@ -45,48 +83,35 @@ std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = tun
 
 constexpr double cos_10 = .98481, cos_25 = .90631;
 
-double cosine(const Grid_point& p, int a)
+double cosine(const Grid_point& p, int axis)
 {
   const Int_vector n = decode_normal(p.normal);
-  const Vector v = {double(n.x), double(n.y), double(n.z)};
-  const Vector t = {axis[a][0] / 25., axis[a][1] / 25., axis[a][2] / 25.};
+  const Vec v = {double(n.x), double(n.y), double(n.z)}, t = axis == 0 ? frame.x : axis == 1 ? frame.y : frame.z;
   return length(v) > 0 ? std::fabs(dot(v, t)) / length(v) : 0;
 }
 
-// The share of face points whose normal is within the angle of their face's.
-double good_share(const std::vector<Item>& items, const std::vector<Grid_point>& points, double minimum_cosine)
+// The share of points with normals within the angle of their face's, of those between two heights over it.
+double good_share(const Box_cloud& box, const std::vector<Grid_point>& points, double minimum_cosine, double low = -1,
+                  double high = 0)
 {
-  double faces = 0, good = 0;
-  for(std::size_t i = 0; i < items.size(); ++i)
-    if(items[i].height < 0) {
-      ++faces;
-      good += cosine(points[i], items[i].face) >= minimum_cosine;
-    }
-  return good / faces;
-}
-
-// The share of clutter between two heights over a face that is aligned with it.
-double aligned_clutter(const std::vector<Item>& items, const std::vector<Grid_point>& points, double low, double high)
-{
-  double all = 0, aligned = 0;
-  for(std::size_t i = 0; i < items.size(); ++i)
-    if(items[i].height >= low && items[i].height < high) {
+  double all = 0, good = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(box.height[i] >= low && box.height[i] < high) {
       ++all;
-      aligned += cosine(points[i], items[i].face) >= cos_25;
+      good += cosine(points[i], box.face[i]) >= minimum_cosine;
     }
-  return aligned / all;
+  return good / all;
 }
 
 // Shares of normals that are within 25 and 10 degrees.
 BOOST_AUTO_TEST_CASE(quality)
 {
-  for(const auto& [options, minimum_25, minimum_10] :
-      {std::make_tuple(Box_options{20000, 0, 0}, .99, .99), std::make_tuple(Box_options{20000, 2000, 64}, .98, .98),
-       std::make_tuple(Box_options{40000, 10000, 300}, .95, .94)}) {
-    std::vector<Item> items = make_box(options);
-    sort_along_curve(items);
-    const std::vector<Grid_point> points = with_normals(points_of(items));
-    const double share_25 = good_share(items, points, cos_25), share_10 = good_share(items, points, cos_10);
+  for(const auto& [size, share, sigma, minimum_25, minimum_10] :
+      {std::make_tuple(20000, 0., 0., .99, .99), std::make_tuple(22000, .1, 64., .98, .98),
+       std::make_tuple(50000, .2, 300., .95, .94)}) {
+    const Box_cloud box(std::size_t(size), share, sigma);
+    const std::vector<Grid_point> points = with_normals(box.points);
+    const double share_25 = good_share(box, points, cos_25), share_10 = good_share(box, points, cos_10);
     CHECK_AT(share_25 >= minimum_25 && share_10 >= minimum_10,
              std::to_string(share_25) + " and " + std::to_string(share_10) + " of the normals are good");
   }
@@ -95,13 +120,12 @@ BOOST_AUTO_TEST_CASE(quality)
 // Clutter off a face by more than the noise must not look like the face.
 BOOST_AUTO_TEST_CASE(clutter)
 {
-  const std::int64_t sigma = 256;
-  std::vector<Item> items = make_box({30000, 30000, sigma});
-  sort_along_curve(items);
-  const std::vector<Grid_point> points = with_normals(points_of(items));
-  const double outside = aligned_clutter(items, points, 3.5 * sigma, 7 * sigma);
-  CHECK_AT(outside < .25, std::to_string(outside));
-  CHECK_AT(good_share(items, points, cos_25) > .93, std::to_string(good_share(items, points, cos_25)));
+  const double sigma = 256;
+  const Box_cloud box(90000, .67, sigma);
+  const std::vector<Grid_point> points = with_normals(box.points);
+  const double outside = good_share(box, points, cos_25, 3.5 * sigma, 7 * sigma),
+               good = good_share(box, points, cos_25);
+  CHECK_AT(outside < .25 && good > .93, std::to_string(outside) + " of clutter, " + std::to_string(good) + " of faces");
 }
 
 void check_no_normals(const char* test, const std::vector<Grid_point>& points)
@@ -133,13 +157,11 @@ BOOST_AUTO_TEST_CASE(flat_grids)
 {
   for(const std::int32_t spacing : {1, 1000, 1 << 22})
     for(const int k : {3, 6, 12, 20}) {
-      std::vector<Item> items;
+      std::vector<Grid_point> points;
       for(std::int32_t i = -20; i < 20; ++i)
         for(std::int32_t j = -20; j < 20; ++j)
-          items.push_back({{i * spacing, (2 * j + (i & 1)) * spacing, 2 * i * spacing, 0}, 0, -1});
-      sort_along_curve(items);
-      const std::vector<Grid_point> r = with_normals(points_of(items), k);
-      for(const Grid_point& p : r) {
+          points.push_back({i * spacing, (2 * j + (i & 1)) * spacing, 2 * i * spacing, 0});
+      for(const Grid_point& p : with_normals(sorted(points), k)) {
         const Int_vector n = decode_normal(p.normal);
         const Vector v = unit({double(n.x), double(n.y), double(n.z)});
         const double sine = length(cross(v, unit({2, 0, -1})));
@@ -151,16 +173,15 @@ BOOST_AUTO_TEST_CASE(flat_grids)
 // thickness() and plane_normal() against Jacobi, from round to flat to thin.
 BOOST_AUTO_TEST_CASE(solver)
 {
-  Random random(5);
+  scenes::Random random(5);
   for(int i = 0; i < 20000; ++i) {
-    const int bits[3] = {int(random.below(20)), int(random.below(20)), int(random.below(20))};
+    const auto any_size = [&] { return double(1 << random.bits() % 20); };
+    const Vec size = {any_size(), any_size(), any_size()};
     Neighborhood_sum sum;
     Moments moments;
     for(int j = 0; j < 13; ++j) {
-      std::int64_t c[3];
-      for(int a = 0; a < 3; ++a)
-        c[a] = random.below(std::int64_t(2) << bits[a]) - (std::int64_t(1) << bits[a]);
-      const Grid_point p = turned(c);
+      const auto any = [&] { return 2 * random.uniform() - 1; };
+      const Grid_point p = on_grid(frame.vector({size.x * any(), size.y * any(), size.z * any()}));
       sum.add({float(p.x), float(p.y), float(p.z)});
       moments.add(p);
     }

@@ -42,11 +42,8 @@ Labeled_scene depth_image(const std::string& view, const Vec& position, const Ve
 {
   const auto make = [=] {
     const Frame office = Frame().turned({0, 0, 1}, 0.17);
-    Frame pose;
-    pose.origin = office.point(position);
-    pose.z = unit(office.point(target) - pose.origin);
-    pose.x = unit(cross(pose.z, {0, 0, 1}));
-    pose.y = cross(pose.z, pose.x);
+    const Vec origin = office.point(position), z = unit(office.point(target) - origin), x = unit(cross(z, {0, 0, 1}));
+    const Frame pose = {origin, x, cross(z, x), z};
     return scan(make_office(), {Sensor_kind::camera, pose, 320, 240, 1.1086, 0.8284, 0, 1e-3 * noise.millimetres});
   };
   return {"camera", "camera-" + view + in_name(noise), make, noise.camera_epsilon, noise.alpha_deg, 150};
@@ -78,14 +75,7 @@ struct Scene_kind {
 Labeled_scene scene(const Scene_kind& kind, std::size_t points, std::uint64_t seed)
 {
   const auto make = [=] {
-    Options o;
-    o.points = points;
-    o.noise = kind.noise;
-    o.outliers = kind.outliers;
-    o.varies_density = kind.varies_density;
-    o.normals = Normals::none;
-    o.seed = seed;
-    return make_scene(kind.model, o);
+    return make_scene(kind.model, {points, kind.noise, kind.outliers, kind.varies_density, Normals::none, 0, seed});
   };
   const std::string name = kind.name + "-" + std::to_string(seed);
   return {kind.name, name, make, kind.epsilon, kind.alpha_deg, points / 1000, kind.normal_noise_deg, seed};
@@ -97,13 +87,8 @@ Labeled_scene layers(const std::string& name, Model (*make_layers)(double), doub
   const double epsilon = 0.02;
   const auto make = [=] {
     const Model model = make_layers(gap * epsilon);
-    Options o;
-    o.points = 1;
-    o.noise = epsilon / 3 / make_scene(model, o).diagonal;
-    o.points = 40000;
-    o.normals = Normals::none;
-    o.seed = seed;
-    return make_scene(model, o);
+    const double noise = epsilon / 3 / make_scene(model, {1}).diagonal;
+    return make_scene(model, {40000, noise, 0, false, Normals::none, 0, seed});
   };
   return {name, name + "-" + std::to_string(seed), make, epsilon, cosine_9, 100, 5, seed};
 }

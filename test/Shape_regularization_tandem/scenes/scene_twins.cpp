@@ -82,14 +82,8 @@ void apply_errors(const Sensor_errors& sensor, const std::vector<Vec>& scanners,
 
 Scene make_twin(const Twin& twin, std::size_t points, std::uint64_t seed)
 {
-  Options options;
-  options.points = points;
-  options.outliers = twin.outliers;
-  options.varies_density = twin.varies_density;
-  options.normals = Normals::none;
-  options.seed = seed;
   Model model = twin.model();
-  Scene scene = make_scene(model, options);
+  Scene scene = make_scene(model, {points, 0, twin.outliers, twin.varies_density, Normals::none, 0, seed});
   apply_errors(twin.sensor, model.scanners, seed, scene);
   return scene;
 }

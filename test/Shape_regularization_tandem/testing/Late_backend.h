@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // What is to be done, in its order. There is one list, as a thread has one stream.
 struct Late_work {
@@ -120,12 +118,6 @@ public:
     add([=] { Shuffled_backend::for_each(n, f); });
   }
 
-  template <class F>
-  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
-  {
-    Shuffled_backend::for_each(n, f);
-  }
-
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
@@ -199,8 +191,6 @@ struct Stage_overrides<Late_backend> : No_stage_overrides {
   }
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H

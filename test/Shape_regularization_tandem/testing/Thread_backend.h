@@ -18,8 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
+namespace CGAL::Tandem {
 
 struct Thread_tag {};
 
@@ -160,7 +159,6 @@ template <>
 struct Execution_of<Thread_tag> : Execution_on<Thread_backend> {};
 
 } // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H

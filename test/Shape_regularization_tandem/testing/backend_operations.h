@@ -14,9 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 struct Visit_item {
   std::uint32_t* visits;
@@ -159,8 +157,6 @@ private:
   std::vector<std::string> wrong_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BACKEND_OPERATIONS_H

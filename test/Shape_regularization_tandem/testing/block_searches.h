@@ -13,9 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // From the item `start` of each cell on.
 struct Search_cells {
@@ -87,8 +85,6 @@ int count_wrong_searches(Backend& backend, std::uint32_t start, std::uint32_t mo
 
 constexpr std::uint32_t search_starts[] = {0, 1, 32, 700}, search_sizes[] = {1, 31, 32, 33, 600};
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H

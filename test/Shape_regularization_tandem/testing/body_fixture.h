@@ -18,9 +18,7 @@
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // A sorted cloud, the true planes, and labels of which some are missing or wrong.
 struct Fixture {
@@ -40,9 +38,6 @@ struct Fixture {
   Tolerance tolerance_of(std::uint32_t i) const { return level.empty() ? tolerance : tolerance.at(level[i]); }
   bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance_of(i)); }
 
-  // A pass over so many parts of each cell.
-  Cells_view parts_view(std::uint32_t parts) const { return {cells.data(), lists.data(), parts}; }
-
   std::vector<Cell_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
   {
     std::vector<Cell_shapes> result(cells.size());
@@ -51,18 +46,12 @@ struct Fixture {
     return result;
   }
 
-  // Of tolerances of points: most are those of the detection.
-  std::vector<std::uint8_t> mixed_levels() const
-  {
-    std::vector<std::uint8_t> levels(point.size());
-    for(std::size_t i = 0; i < levels.size(); ++i)
-      levels[i] = std::uint8_t(i % 3 == 0 ? i % 23 : 0);
-    return levels;
-  }
+  // Tolerances of points: most are those of the detection.
   void set_levels()
   {
     name += ", own tolerances";
-    level = mixed_levels();
+    for(std::size_t i = 0; i < point.size(); ++i)
+      level.push_back(std::uint8_t(i % 3 == 0 ? i % 23 : 0));
     cloud.level = cloud.surfels.level = level.data();
   }
 
@@ -257,8 +246,6 @@ void on_fixtures(F f)
     on_body_backends([&](auto backend, const std::string& name) { f(backend, name + ", " + fixture.name, fixture); });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H

@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H
 
 #include <CGAL/Tandem/Shared_table.h>
-#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 #include <utility>
 #include <vector>
@@ -19,15 +18,6 @@ void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
   std::vector<T> values(table.begin(), table.end());
   change(values);
   table = std::move(values);
-}
-
-// Counts shapes and relations again, after a change of them. What is summed over the points is kept.
-inline void measure_shapes_again(CGAL::Tandem::Shapes_data& data)
-{
-  const CGAL::Tandem::Result_score before = data.statistics.score;
-  CGAL::Tandem::internal::measure_relations(data, {});
-  data.statistics.score.fit = before.fit;
-  data.statistics.score.links = before.links;
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H

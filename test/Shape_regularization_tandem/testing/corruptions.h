@@ -28,18 +28,11 @@ public:
   {
     [[maybe_unused]] auto& [coefficients, size, parallel, coplanar, orthogonal, fixed, symmetry, flipped, uncertainty,
                             shape_of, normal, parameters, statistics, points] = data;
-    visit("coefficients", coefficients);
-    visit("size", size);
-    visit("parallel_group", parallel);
-    visit("coplanar_group", coplanar);
-    visit("orthogonal_groups", orthogonal);
-    visit("fixed_direction", fixed);
-    visit("symmetry_group", symmetry);
-    visit("is_flipped", flipped);
-    visit("shape_of", shape_of);
-    visit("normal", normal);
-    visit_fields("parameters.", parameters);
-    visit_fields("points.", points);
+    visit_all({"coefficients", "size", "parallel_group", "coplanar_group", "orthogonal_groups", "fixed_direction",
+               "symmetry_group", "is_flipped", "shape_of", "normal"},
+              coefficients, size, parallel, coplanar, orthogonal, fixed, symmetry, flipped, shape_of, normal);
+    visit_parameters(parameters);
+    visit_all({"points.first", "points.position"}, points.first, points.position);
   }
 
   // Whether there is one of that number.
@@ -49,34 +42,25 @@ public:
   const std::string& name() const { return name_; }
 
 private:
-  void visit_fields(const std::string& of, CGAL::Tandem::Parameters& p)
+  template <class... T>
+  void visit_all(const std::array<const char*, sizeof...(T)>& names, T&... values)
+  {
+    std::size_t i = 0;
+    (visit(names[i++], values), ...);
+  }
+
+  void visit_parameters(CGAL::Tandem::Parameters& p)
   {
     auto& [distance, angle, tolerance, offset, size, simplicity, regularity, surfel, k, cell, parallelism,
            orthogonality, coplanarity, fixed, is_symmetric, axis, period] = p;
-    visit(of + "maximum_distance", distance);
-    visit(of + "maximum_angle", angle);
-    visit(of + "angle_tolerance", tolerance);
-    visit(of + "maximum_offset", offset);
-    visit(of + "minimum_region_size", size);
-    visit(of + "simplicity", simplicity);
-    visit(of + "regularity", regularity);
-    visit(of + "surfel_size", surfel);
-    visit(of + "k_neighbors", k);
-    visit(of + "cell_size", cell);
-    visit(of + "regularize_parallelism", parallelism);
-    visit(of + "regularize_orthogonality", orthogonality);
-    visit(of + "regularize_coplanarity", coplanarity);
-    visit(of + "fixed_directions", fixed);
-    visit(of + "regularize_axis_symmetry", is_symmetric);
-    visit(of + "symmetry_direction", axis);
-    visit(of + "regularity_period", period);
-  }
-
-  void visit_fields(const std::string& of, CGAL::Tandem::Point_groups& g)
-  {
-    auto& [first, position] = g;
-    visit(of + "first", first);
-    visit(of + "position", position);
+    visit_all({"parameters.maximum_distance", "parameters.maximum_angle", "parameters.angle_tolerance",
+               "parameters.maximum_offset", "parameters.minimum_region_size", "parameters.simplicity",
+               "parameters.regularity", "parameters.surfel_size", "parameters.k_neighbors", "parameters.cell_size",
+               "parameters.regularize_parallelism", "parameters.regularize_orthogonality",
+               "parameters.regularize_coplanarity", "parameters.fixed_directions",
+               "parameters.regularize_axis_symmetry", "parameters.symmetry_direction", "parameters.regularity_period"},
+              distance, angle, tolerance, offset, size, simplicity, regularity, surfel, k, cell, parallelism,
+              orthogonality, coplanarity, fixed, is_symmetric, axis, period);
   }
 
   // Each kind of value has its corruptions.

@@ -12,9 +12,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // The neighbors of surfel i that have another shape, or one where it has none, for each of its points.
 inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uint32_t* label, Score_counts& counts)
@@ -26,8 +24,6 @@ inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uin
         cloud.surfels.points(i).size();
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_COUNT_LINKS_H

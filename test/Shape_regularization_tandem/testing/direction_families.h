@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 struct Random {
   std::mt19937_64 engine;
@@ -129,8 +127,6 @@ inline Direction_group make_group(Random& random, const Vector& normal, bool is_
   return g;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_DIRECTION_FAMILIES_H

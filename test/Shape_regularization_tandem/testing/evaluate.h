@@ -149,7 +149,7 @@ inline void check_points(const std::vector<Vec>& points, const std::vector<Vec>&
 
 inline Relation_counts count_relations(const std::vector<Plane>& planes, const Extent& extent)
 {
-  const Plane_relations r(planes, relaxed_relations(extent.diagonal, extent.center));
+  const Plane_relations r(planes, extent.diagonal, extent.center);
   return {r.directions(), r.planes(), r.degrees_of_freedom(), r.complexity()};
 }
 
@@ -289,12 +289,6 @@ inline Curves evaluate_curves(const std::vector<Vec>& points, const std::vector<
   return curves;
 }
 
-// How far the results of several runs on the same points differ: nothing, for a method that is deterministic.
-struct Spread {
-  bool is_same = true;  // labels, and planes bit for bit
-  double relabeled = 0; // largest share of points with another shape than in the first run
-};
-
 // Of each shape of `other`: the shape of `reference` it corresponds to, or -1. Each is taken once, by the number
 // of common points; ties go to the smaller indices.
 inline std::vector<std::int32_t> match_shapes(const Detection& reference, const Detection& other)
@@ -331,27 +325,18 @@ inline double share_relabeled(const Detection& reference, const Detection& other
   return reference.label.empty() ? 0 : double(count) / double(reference.label.size());
 }
 
-inline bool are_same(const Detection& a, const Detection& b)
+// How far the results of several runs on the same points differ: the largest share of points with another shape than in
+// the first run. Nothing, for a method that is deterministic. Throws std::runtime_error where the points are others.
+inline double evaluate_spread(const std::vector<Detection>& runs)
 {
-  auto is_same_plane = [](const Plane& p, const Plane& q) {
-    return p.normal.x == q.normal.x && p.normal.y == q.normal.y && p.normal.z == q.normal.z && p.offset == q.offset;
-  };
-  return a.label == b.label && a.planes.size() == b.planes.size() &&
-         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), is_same_plane);
-}
-
-// Throws std::runtime_error where the runs are not on the same points.
-inline Spread evaluate_spread(const std::vector<Detection>& runs)
-{
-  Spread spread;
+  double largest = 0;
   for(std::size_t r = 0; r < runs.size(); ++r) {
     if(runs[r].label.size() != runs[0].label.size())
       throw std::runtime_error("run " + std::to_string(r) + " has another number of points than run 0");
     shape_sizes(runs[r]); // throws for labels that no plane has
-    spread.is_same = spread.is_same && are_same(runs[0], runs[r]);
-    spread.relabeled = (std::max)(spread.relabeled, r == 0 ? 0 : share_relabeled(runs[0], runs[r]));
+    largest = (std::max)(largest, r == 0 ? 0 : share_relabeled(runs[0], runs[r]));
   }
-  return spread;
+  return largest;
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -100,8 +100,8 @@ inline Truth_criteria evaluate_truth(const Truth& truth, const Detection& detect
   for(std::size_t f = 0; f < overlap.faces; ++f)
     criteria.faces += overlap.face_size[f] >= smallest_face;
   criteria.point_precision = point_precision(overlap);
-  const Relation_tolerance relaxed = relaxed_relations(extent.diagonal, extent.center);
-  const Plane_relations true_relations(truth.faces, relaxed), relations(detection.planes, relaxed);
+  const Plane_relations true_relations(truth.faces, extent.diagonal, extent.center),
+    relations(detection.planes, extent.diagonal, extent.center);
   const auto matches = overlap.matches();
   std::size_t found = 0;
   double angles = 0;

@@ -14,9 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // An addition is a link.
 template <class Backend>
@@ -118,8 +116,6 @@ private:
   std::vector<std::string> wrong_;
 };
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LINK_SETS_H

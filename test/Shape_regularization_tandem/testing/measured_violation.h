@@ -14,97 +14,46 @@
 #include <CGAL/Tandem/internal/result/measure_planes.h>
 #include <CGAL/Tandem/internal/result/measure_shapes.h>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // --- The uncertainty of planes: from the caller's coordinates in double, where the detection has integers of the grid.
-// Margins bound what its rounding changes.
+// What it says of normals is that of test_measures.
 
 // Sums over the points of a shape, relative to the centroid that is to be checked, in steps of the grid.
 struct Plane_sums {
   double count = 0, squares = 0; // of distances to the plane
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
+  Vector sum = {0, 0, 0};
 
   void add(const Vector& p, const Plane_uncertainty& u, double distance, double step)
   {
-    const Eigen::Vector3d v = Eigen::Vector3d(p.x - u.centroid[0], p.y - u.centroid[1], p.z - u.centroid[2]) / step;
     ++count;
     squares += (distance / step) * (distance / step);
-    sum += v;
-    product += v * v.transpose();
+    sum = add_scaled(sum, 1 / step, p - Vector{u.centroid[0], u.centroid[1], u.centroid[2]});
   }
 };
 
-// One shape. Lengths are in steps of the grid, so that squares of all units can be computed. change: of a coordinate, by
-// the grid.
-struct Uncertainty_check {
-  const Plane_uncertainty& found;
-  const Coefficients& plane;
-  const Plane_sums& sums;
-  double maximum_distance, step, change;
-
-  // What is wrong, or null.
-  const char* wrong_part() const
-  {
-    const double n = sums.count, noise = found.noise / step;
-    if(!(sums.sum.cwiseAbs().maxCoeff() <= change * n))
-      return "centroid";
-    const bool has_residual = n > 3;
-    const double expected = has_residual ? std::sqrt(sums.squares / (n - 3)) : maximum_distance / step;
-    const double margin = 1e-9 * expected + (has_residual ? change * std::sqrt(n / (n - 3)) : 0);
-    if(!(found.noise >= 0 && std::fabs(noise - expected) <= margin))
-      return "noise";
-    if(!(std::fabs(found.offset_deviation / step - noise / std::sqrt(n)) <= 1e-9 * noise))
-      return "offset_deviation";
-    return is_covariance_right(noise * noise) ? nullptr : "normal_covariance";
-  }
-
-private:
-  // By the spread along two axes of the plane. The less the points spread beside their noise, the more the grid counts;
-  // where that is too much, any is right.
-  bool is_covariance_right(double noise2) const
-  {
-    using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
-    const double n = sums.count;
-    const Eigen::Vector3d normal(plane[0], plane[1], plane[2]);
-    const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-    const Solver spread(onto * (sums.product - sums.sum * sums.sum.transpose() / n) * onto);
-    const double narrow = spread.eigenvalues()[1];
-    if(narrow < 4 * n * noise2 || narrow < 400 * n * change * change)
-      return true;
-    Eigen::Matrix3d expected = Eigen::Matrix3d::Zero(), covariance;
-    for(int axis : {1, 2}) {
-      const double along = spread.eigenvalues()[axis], width = along - n * noise2;
-      const Eigen::Vector3d v = spread.eigenvectors().col(axis);
-      expected += (std::min)(noise2 * along / (width * width), 1.) * v * v.transpose();
-    }
-    const auto& c = found.normal_covariance;
-    covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-    const double largest = Solver(expected).eigenvalues()[2];
-    const double angle = std::sqrt((std::max)(Solver(covariance).eigenvalues()[2], 0.));
-    return (covariance - expected).cwiseAbs().maxCoeff() <= largest * (1e-9 + 20 * change / std::sqrt(narrow / n)) &&
-           std::fabs(found.angle_deg * (3.14159265358979323846 / 180) - angle) <= 1e-6 * angle;
-  }
-};
-
+// Lengths are in steps of the grid, so that squares of all units can be computed. Margins bound what its rounding changes.
 inline std::string uncertainty_violation(const Shapes_data& data, const Grid& grid, const std::vector<Plane_sums>& sums)
 {
+  const double change = distance_margin(grid);
   for(std::size_t s = 0; s < sums.size(); ++s) {
-    const Uncertainty_check check = {
-      data.uncertainty[s], data.coefficients[s], sums[s], data.parameters.maximum_distance,
-      grid.step,           distance_margin(grid)};
-    if(const char* part = check.wrong_part())
-      return "the uncertainty is wrong: " + std::string(part) + " of " + numbered("shape", s);
+    const Plane_uncertainty& found = data.uncertainty[s];
+    const double n = sums[s].count, noise = found.noise / grid.step;
+    const bool has_residual = n > 3;
+    const double expected =
+      has_residual ? std::sqrt(sums[s].squares / (n - 3)) : data.parameters.maximum_distance / grid.step;
+    const double margin = 1e-9 * expected + (has_residual ? change * std::sqrt(n / (n - 3)) : 0);
+    const Vector& v = sums[s].sum;
+    if(!((std::max)({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= change * n) ||
+       !(found.noise >= 0 && std::fabs(noise - expected) <= margin) ||
+       !(std::fabs(found.offset_deviation / grid.step - noise / std::sqrt(n)) <= 1e-9 * noise))
+      return "wrong are centroid, noise or offset_deviation of " + numbered("shape", s);
   }
   return {};
 }
@@ -280,9 +229,7 @@ std::string measured_violation(const PointRange& points, const Planar_shapes_3<G
   });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 // What is wrong with a result, or nothing.
 template <class PointRange, class GeomTraits, class NP>

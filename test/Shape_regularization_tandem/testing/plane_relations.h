@@ -20,21 +20,14 @@ struct Plane {
   double offset; // normal . p + offset = 0
 };
 
-struct Relation_tolerance {
-  double parallel;   // sine of the angle
-  double orthogonal; // cosine of the angle
-  double offset;     // at `center`
-  Vec center;
-};
-
-inline Relation_tolerance relaxed_relations(double diagonal, const Vec& center)
-{
-  return {1e-6, 1e-6, 1e-6 * diagonal, center};
-}
+// Of the sine of the angle of parallel planes, the cosine of that of orthogonal ones, and of the offset at the center of a
+// cloud as a share of its diagonal.
+constexpr double relaxed = 1e-6;
 
 class Plane_relations {
 public:
-  Plane_relations(const std::vector<Plane>& planes, const Relation_tolerance& tolerance) : tolerance_(tolerance)
+  Plane_relations(const std::vector<Plane>& planes, double diagonal, const Vec& center)
+    : diagonal_(diagonal), center_(center)
   {
     for(const Plane& plane : planes)
       add(oriented(plane));
@@ -48,7 +41,7 @@ public:
   bool are_coplanar(std::size_t s, std::size_t t) const { return plane_[s] == plane_[t]; }
   bool are_orthogonal(std::size_t s, std::size_t t) const
   {
-    return std::abs(dot(directions_[direction_[s]], directions_[direction_[t]])) <= tolerance_.orthogonal;
+    return std::abs(dot(directions_[direction_[s]], directions_[direction_[t]])) <= relaxed;
   }
 
   // A free direction has two, one that is orthogonal to another one, one that is
@@ -70,15 +63,15 @@ private:
     return first < 0 ? Plane{-1.0 * n, -plane.offset} : plane;
   }
 
-  bool have_same_direction(const Vec& a, const Vec& b) const { return length(cross(a, b)) <= tolerance_.parallel; }
+  bool have_same_direction(const Vec& a, const Vec& b) const { return length(cross(a, b)) <= relaxed; }
 
   bool are_same(const Plane& a, const Plane& b) const
   {
     if(!have_same_direction(a.normal, b.normal))
       return false;
     double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
-    double at_center = dot(a.normal, tolerance_.center) + a.offset;
-    return std::abs(at_center - sign * (dot(b.normal, tolerance_.center) + b.offset)) <= tolerance_.offset;
+    double at_center = dot(a.normal, center_) + a.offset;
+    return std::abs(at_center - sign * (dot(b.normal, center_) + b.offset)) <= relaxed * diagonal_;
   }
 
   void add(const Plane& plane)
@@ -99,7 +92,7 @@ private:
   {
     std::size_t n = directions_.size();
     auto is_right = [&](std::size_t a, std::size_t b) {
-      return a != b && std::abs(dot(directions_[a], directions_[b])) <= tolerance_.orthogonal;
+      return a != b && std::abs(dot(directions_[a], directions_[b])) <= relaxed;
     };
     std::vector<std::size_t> order(n), degree(n, 0);
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -115,7 +108,8 @@ private:
     }
   }
 
-  Relation_tolerance tolerance_;
+  double diagonal_;
+  Vec center_;
   std::vector<Vec> directions_;
   std::vector<Plane> planes_;
   std::vector<std::size_t> direction_, plane_; // per shape

@@ -10,9 +10,7 @@
 
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 inline std::int32_t random_coordinate(scenes::Random& random, int bits)
 {
@@ -27,8 +25,6 @@ inline Grid_point random_point(scenes::Random& random, int bits)
           encode_normal({n.x, n.y, n.z})};
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_POINTS_H

@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 // s v v^T
 inline Symmetric_matrix square(double s, const Vector& v)
@@ -129,8 +127,6 @@ inline std::vector<Rectangle> tilted_box(int seed)
   return box;
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RECTANGLES_H

@@ -12,9 +12,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace internal {
+namespace CGAL::Tandem::internal {
 
 inline bool is_same(const Vector& a, const Vector& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -29,8 +27,6 @@ inline bool are_same(const std::vector<Regular_plane>& a, const std::vector<Regu
                     [](const Regular_plane& p, const Regular_plane& q) { return is_same(p, q); });
 }
 
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SAME_BITS_H

@@ -22,15 +22,10 @@ const double degrees = 57.29577951308232;
 
 Plane_relations relations(const std::vector<Plane>& planes, const Vec& center = {0, 0, 0})
 {
-  return Plane_relations(planes, relaxed_relations(1, center));
+  return Plane_relations(planes, 1, center);
 }
 
-scenes::Scene cube()
-{
-  scenes::Options options;
-  options.points = 6000;
-  return scenes::make_scene("cube", options);
-}
+scenes::Scene cube() { return scenes::make_scene("cube", {6000}); }
 
 Detection perfect(const scenes::Scene& scene)
 {
@@ -38,19 +33,6 @@ Detection perfect(const scenes::Scene& scene)
   for(const scenes::Truth_face& f : scene.faces)
     detection.planes.push_back({f.normal, f.offset});
   return detection;
-}
-
-BOOST_AUTO_TEST_CASE(cube_has_complexity_9_of_18)
-{
-  const scenes::Scene scene = cube();
-  Criteria c = evaluate(scene.points, scene.normals, perfect(scene), {0.01, 25});
-  BOOST_TEST(c.shapes == 6u);
-  BOOST_TEST(c.relations.directions == 3u);
-  BOOST_TEST(c.relations.planes == 6u);
-  BOOST_TEST(c.relations.degrees_of_freedom == 3u);
-  BOOST_TEST(c.relations.complexity == 9.0 / 18, within);
-  BOOST_TEST(c.coverage() == 1.0, within);
-  BOOST_TEST(c.beyond_either == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(degrees_of_freedom_of_directions)
@@ -69,7 +51,9 @@ BOOST_AUTO_TEST_CASE(degrees_of_freedom_of_directions)
     std::vector<Plane> planes;
     for(const Vec& n : normals)
       planes.push_back({scenes::unit(n), double(planes.size())});
-    BOOST_TEST(relations(planes).degrees_of_freedom() == expected);
+    const Plane_relations r = relations(planes);
+    BOOST_TEST(r.degrees_of_freedom() == expected);
+    BOOST_TEST(r.complexity() * double(3 * planes.size()) == double(expected + planes.size()), within);
   }
 }
 
@@ -182,30 +166,21 @@ BOOST_AUTO_TEST_CASE(planes_are_distinct_by_their_points)
   }
 }
 
-// Of the partition, and of the bits of the planes. Points that moved, were lost or gained; a split shape keeps its
-// larger part.
+// Points that moved, were lost or gained; a split shape keeps its larger part.
 BOOST_AUTO_TEST_CASE(how_far_runs_differ)
 {
   const Plane a = {{0, 0, 1}, 0}, b = {{1, 0, 0}, -1};
   const Detection first{{0, 0, 0, 0, 1, 1, 1, 1, -1, -1}, {a, b}};
-  Detection moved = first, tilted = first;
-  moved.planes[1].offset = std::nextafter(-1.0, 0.0);
-  tilted.planes[0].normal.y = 1e-300;
   const std::pair<std::vector<Detection>, double> cases[] = {
     {{}, 0},
     {{first, first, first}, 0},
-    {{first, moved}, 0},
-    {{first, tilted}, 0},
     {{first, {{1, 1, 1, 1, 0, 0, 0, 0, -1, -1}, {b, a}}}, 0},
     {{first, {{0, 0, 0, 1, 1, 1, 1, 1, -1, -1}, {a, b}}}, .1},
     {{first, {{0, 0, 0, 1, 1, 1, 1, -1, 0, -1}, {a, b}}}, .3},
     {{first, {{2, 0, 0, 0, 1, 1, 1, 1, -1, -1}, {a, b, a}}}, .1},
     {{first, {{0, 0, 0, 0, 1, 1, 1, 1, 2, 2}, {a, b, a}}, first}, .2}};
-  for(const auto& [runs, relabeled] : cases) {
-    const Spread spread = evaluate_spread(runs);
-    BOOST_TEST(spread.is_same == (runs.size() != 2 && relabeled == 0));
-    BOOST_TEST(spread.relabeled == relabeled, within);
-  }
+  for(const auto& [runs, relabeled] : cases)
+    BOOST_TEST(evaluate_spread(runs) == relabeled, within);
 }
 
 BOOST_AUTO_TEST_CASE(pairs_of_a_cube)

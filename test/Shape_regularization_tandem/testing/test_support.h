@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <tuple>
 
 namespace scenes = CGAL::Tandem::scenes;
 using CGAL::Tandem::Parameters;
@@ -42,11 +41,7 @@ inline Cloud to_cloud(const scenes::Scene& scene)
 
 inline scenes::Options scene_options(std::size_t points, double noise = 0, double outliers = 0)
 {
-  scenes::Options options;
-  options.points = points;
-  options.noise = noise;
-  options.outliers = outliers;
-  return options;
+  return {points, noise, outliers};
 }
 
 inline Parameters make_parameters(double maximum_distance, std::size_t minimum_region_size)
@@ -126,20 +121,6 @@ inline void check_same(const Shapes& a, const Shapes& b, const std::string& name
   const long at = first_difference(a.shape_indices(), b.shape_indices());
   CHECK_AT(at < 0, name + ": the labels differ, first of point " + std::to_string(at));
   check_same_planes(a, b, name);
-}
-
-// Equal points may exchange their labels.
-inline std::vector<std::tuple<double, double, double, double, double, double, int>> labeled_points(const Cloud& cloud,
-                                                                                                   const Shapes& shapes)
-{
-  std::vector<std::tuple<double, double, double, double, double, double, int>> list;
-  for(std::size_t i = 0; i < cloud.size(); ++i) {
-    const auto& p = cloud[i].first;
-    const auto& n = cloud[i].second;
-    list.emplace_back(p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), shapes.shape_index(i));
-  }
-  std::sort(list.begin(), list.end());
-  return list;
 }
 
 inline void shuffle(Cloud& cloud, std::uint64_t seed)
