@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page of detect_planes --view in a Chromium without a window: what it draws, a lost WebGL context, and the clicks,
-keys and fingers of click_*.js, for which TANDEM_PLAYWRIGHT is the folder of scripts/install_playwright.sh."""
+keys and fingers of click.js, for which TANDEM_PLAYWRIGHT is the folder of scripts/install_playwright.sh."""
 
 import os
 import re
@@ -67,8 +67,7 @@ def test_lost_context(p):
     script = (HERE / "lose_context.js").read_text()
     p.write({"lost.html": p.read("page.html").replace("</body>", f"<script>\n{script}</script>\n</body>")})
     subprocess.run(["sh", "-c", WAITING, "sh", *browser(p, f"file://{p.path('lost.html')}#{VIEW}")], cwd=p.folder,
-                   timeout=100,
-                   stdout=subprocess.DEVNULL)
+                   timeout=100, stdout=subprocess.DEVNULL)
     assert '"wrong: nothing"' in p.read("log"), re.findall('"wrong: [^"]*', p.read("log"))
 
 
@@ -97,9 +96,9 @@ def room(p):
 
 @pytest.mark.skipif(not NODE or not (PLAYWRIGHT / "playwright-core/package.json").exists(),
                     reason="no node, or no playwright-core (scripts/install_playwright.sh)")
-@table("name", ["select", "layers", "clip", "list", "save", "touch"])
+@table("name", ["select", "layers", "clip", "list", "many", "save", "link", "touch"])
 def test_clicks(room, name):
-    run = subprocess.run([NODE, HERE / f"click_{name}.js", room], timeout=300, stdout=subprocess.PIPE,
+    run = subprocess.run([NODE, HERE / "click.js", room, name], timeout=300, stdout=subprocess.PIPE,
                          stderr=subprocess.STDOUT, text=True,
                          env={**os.environ, "NODE_PATH": str(PLAYWRIGHT), "CHROMIUM": CHROMIUM})
     assert run.returncode == 0, run.stdout

@@ -23,7 +23,7 @@ def read_vertices(path):
     types = {"double": "<f8", "float": "<f4", "uchar": "u1", "int": "<i4"}
     with open(path, "rb") as file:
         header, data = file.read().split(b"end_header\n", 1)
-    fields = [line.split()[1:] for line in header.decode().splitlines() if line.startswith("property")]
+    fields = re.findall(r"property (\w+) (\w+)", header.decode())
     return np.frombuffer(data, dtype=[(name, types[word]) for word, name in fields])
 
 
@@ -65,11 +65,8 @@ def run_python(*arguments, folder=None):
 @pytest.mark.skipif(not PROGRAM, reason="the program detect_planes is not built")
 def test_same_result_as_the_program(path):
     rows = np.concatenate(room(), axis=1)
-    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
-    header += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz")] + ["end_header", ""]
-    with open(path("room.ply"), "wb") as file:
-        file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
-    subprocess.run([PROGRAM, path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
+    np.savetxt(path("room.xyz"), rows, "%.17g")
+    subprocess.run([PROGRAM, path("room.xyz"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
                     "--labels", path("labels"), "--planes", path("planes"),
                     "--report", path("report"), "--shapes", path("shapes.csv")], check=True)
     shapes = shapes_of_room()
