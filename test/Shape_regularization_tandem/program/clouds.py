@@ -193,7 +193,7 @@ def pcd_of_each_kind(points):
 OPTIONS = "--maximum-distance 0.01 --minimum-region-size 100"
 TILES = ["corner.pts", "folder/Middle.XYZ", "folder/sub/seam.csv", "last.las"]
 OUTPUTS = ["corner.ply", "Middle.XYZ", "seam.csv", "last.las"]
-MEMBERS = r'"(input|hash|maximum_distance|points|assigned|shapes|planes|mean_distance|.*groups|.*pairs)":'
+MEMBERS = r'"(input|hash|source|minimum|maximum|ignored_zeros|maximum_distance|points|assigned|shapes|planes|mean_distance|.*groups|.*pairs)":'
 
 
 def hall():
