@@ -53,8 +53,6 @@ def prepare(p):
     ("cube.ply E --maximum-angle 0.9",
      ["--maximum-angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"]),
     ("cube.ply E --maximum-angle 1 --angle-tolerance 0.5", []),
-    ("cube.ply E --angle-tolerance 0.99",
-     ["--angle-tolerance is 0.99 degrees: if that was meant as a cosine, pass 8.1"]),
     # What was read is warned of in the report, too.
     ("cube.ply none.ply E", ["none.ply: has no points"])])
 def test_warnings(p, arguments, patterns):
