@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Clicks, keys and fingers on a page of detect_planes --view, the room of test_browser.py:
-//   node click.js PAGE.html select|layers|clip|list|many|save|link|touch
+//   node click.js PAGE.html select|layers|clip|list|save|link|lost|touch
 // with NODE_PATH for playwright-core and CHROMIUM for the browser. It ends with 1 after it has said what is wrong.
 const { chromium } = require("playwright-core");
 const fs = require("fs");
@@ -16,9 +16,9 @@ class Browser {
     tab.on("console", message => message.type() === "error" && this.wrong.push(message.text()));
   }
 
-  async open(address = "", name = file) {
+  async open(address = "") {
     await this.tab.goto("about:blank");
-    await this.tab.goto("file://" + name + "#theme=light&" + address);
+    await this.tab.goto("file://" + file + "#theme=light&" + address);
     await this.tab.waitForFunction(() => (window.page && page.address) || document.body.dataset.error);
     await this.settle();
   }
@@ -313,36 +313,6 @@ const tests = {
     await b.expectState("page.visibility.hidden.size", 0);
   },
 
-  // 50,000 shapes: the room with copies of its first shape that have no points to be drawn.
-  async many(b) {
-    const page = fs.readFileSync(file, "latin1"), mark = "<script type=\"application/json\" id=\"scene\">";
-    const first = page.indexOf(mark) + mark.length, last = page.indexOf("</script>", first), total = 50000;
-    const scene = JSON.parse(page.slice(first, last)), s = scene.shapes, free = s.shown.pop();
-    for (let i = s.points.length; i < total; ++i) {
-      for (const column of [...scene.table, "outward"])
-        s[column].push(s[column][0]);
-      s.coefficients.push(...s.coefficients.slice(0, 4));
-      s.centroid.push(...s.centroid.slice(0, 3));
-      s.points[i] = i % 97 + 1;
-      s.shown.push(0);
-    }
-    s.shown.push(free);
-    const name = file.replace(/\.html$/, "_many.html");
-    fs.writeFileSync(name, page.slice(0, first) + JSON.stringify(scene) + page.slice(last), "latin1");
-    await b.open("", name);
-    b.expect((await b.rows()).length < 40, "there are " + (await b.rows()).length + " rows");
-    await b.click("#sort-shape");
-    await b.click("#sort-shape");
-    b.equal((await b.rows())[0], total - 1, "the first row");
-    await b.tab.$eval("#list", list => list.scrollTop = list.scrollHeight);
-    await b.settle();
-    b.equal((await b.rows()).pop(), 0, "the last row");
-    const start = Date.now();
-    await b.tab.fill("#search", "49999");
-    b.equal(await b.rows(), [total - 1], "the row that is found");
-    b.expect(Date.now() - start < 8000, "to find a row takes " + (Date.now() - start) + " ms");
-  },
-
   // Measuring, and the files that are saved.
   async save(b) {
     await b.open();
@@ -396,6 +366,48 @@ const tests = {
     b.equal([await b.state("page.selection"), await b.state("page.mode"), await b.camera()],
             [selection, "plane", camera], "selection, colors and camera of the link");
     await b.expectShare(region, selection.index, Math.max(0.1, share - 0.02), share + 0.02, "with the link");
+  },
+
+  // The WebGL context is lost, and returns: what the user does meanwhile is seen then, as if it had never been away.
+  async lost(b) {
+    const { middle, selected } = await above(b);
+    const picture = async () => (await b.tab.locator("#canvas").screenshot()).toString("base64");
+    const press = async keys => {
+      for (const key of keys)
+        await b.tab.keyboard.press(key);
+      await b.tab.waitForTimeout(400);
+    };
+    const isTold = () => b.state("/took the graphics/.test(byId('message').textContent) && " +
+                                 "getComputedStyle(byId('message')).display !== 'none'");
+    const lose = async keys => {
+      await b.state("extension = page.cloud.renderer.getContext().getExtension('WEBGL_lose_context'), " +
+                    "extension.loseContext()");
+      await press([]);
+      b.expect(await isTold(), "the page does not tell that the context is lost");
+      await b.tab.mouse.click(...middle);
+      await b.expectState("page.selection", null); // there is no picture
+      await press(keys);
+      b.expect(await isTold(), "the message does not stay");
+      await b.state("extension.restoreContext()");
+      await press([]);
+      b.expect(!await isTold(), "the message stays");
+      return picture();
+    };
+    const before = await picture();
+    b.expect(await lose([]) === before && await lose([]) === before, "other pixels than before the loss");
+    const changed = await lose("l2+y");
+    await press("l1-yy");
+    b.expect(changed !== before, "the changes are not drawn");
+    await press("l2+y");
+    b.expect(await picture() === changed, "other pixels than with the same changes and no loss");
+    await press("l1-yy");
+    await b.open("unassigned=0&size=8&elevation=75");
+    await b.clickAt(middle);
+    await b.expectState("page.selection", selected);
+    await b.press("Escape");
+    await lose("t");
+    b.wrong = b.wrong.filter(text => !text.includes("Framebuffer not complete")); // of the clicks meanwhile
+    await b.expectState("/frames per second/.test(byId('message').textContent)", true); // it turns on
   },
 
   // Fingers on a small screen.

@@ -147,20 +147,13 @@ def read_las(data):
 
 
 def lzf(data):
-    result = bytearray()
-    i = 0
+    """In place of 16 or 8 bytes that repeat the 4 before them, their number and distance; else 7 bytes as they are."""
+    result, i = bytearray(), 0
     while i < len(data):
-        run = 1
-        while run < 264 and i + run < len(data) and i > 0 and data[i + run - 1] == data[i - 1]:
-            run += 1
-        run -= 1
-        if run >= 3:  # repeats the byte before
-            result += bytes([(run - 2) << 5, 0] if run < 9 else [7 << 5, run - 9, 0])
-            i += run
-        else:
-            piece = data[i:i + 7]
-            result += bytes([len(piece) - 1]) + piece
-            i += len(piece)
+        same = next((n for n in (16, 8) if i >= 4 and data[i:i + n] == (data[i - 4:i] * 4)[:n]), 0)
+        result += (bytes([7 << 5, 16 - 9, 3] if same == 16 else [6 << 5, 3]) if same else
+                   bytes([len(data[i:i + 7]) - 1]) + data[i:i + 7])
+        i += same or 7
     return bytes(result)
 
 

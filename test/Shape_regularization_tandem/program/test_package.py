@@ -46,13 +46,7 @@ int main()
 """
 FEW_HEADERS = """
 #include <CGAL/Tandem/check_parameters.h>
-int main()
-{
-  CGAL::Tandem::Parameters p;
-  p.maximum_distance = p.maximum_offset = 1;
-  p.minimum_region_size = 3;
-  CGAL::Tandem::check_parameters(p);
-}
+int main() { return int(CGAL::Tandem::Parameters().minimum_region_size); }
 """
 
 
@@ -68,14 +62,9 @@ def installed(tmp_path_factory):
         pytest.skip("the build does not have it")
     prefix = tmp_path_factory.mktemp("installed") / "usr"
     run("cmake", "--install", BUILD, "--prefix", prefix, "--component", "program")
-    return prefix
-
-
-def test_installed_program(installed):
-    assert re.fullmatch(r"detect_planes \(Tandem\) [0-9]+\.[0-9]+\.[0-9]+\n",
-                        run(installed / "bin/detect_planes", "--version"))
     if FACTS["HELP2MAN"]:
-        assert re.search("maximum.-distance", (installed / "share/man/man1/detect_planes.1").read_text())
+        assert re.search("maximum.-distance", (prefix / "share/man/man1/detect_planes.1").read_text())
+    return prefix
 
 
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")

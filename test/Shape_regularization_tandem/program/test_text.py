@@ -169,11 +169,11 @@ def test_carriage_returns(p, kind):
     text = PLAIN[kind]
     lines = text.split("\n")
     lines[999] = re.sub(r"^(\S+ \S+) ", r"\1" + "\r", lines[999])  # of a row of the points
-    files = {"crlf": text.replace("\n", "\r\n"), "cr": text.replace("\n", "\r"), "note": "# comment\r" + text,
-             "row": "\n".join(lines), "zero": "\n".join(lines[:20]) + "\n\0" + "\n".join(lines[20:])}
+    files = {"crlf": text.replace("\n", "\r\n"), "cr": text.replace("\n", "\r"), "row": "\n".join(lines),
+             "zero": "\n".join(lines[:20]) + "\n\0" + "\n".join(lines[20:])}
     p.write({f"{name}.{kind}": content for name, content in files.items()})
     p(0, f"points +{N}", f"crlf.{kind} E")
-    for name, row in (("cr", "1"), ("note", "1"), ("row", "[0-9]+ (of 'vertex' )?")):
+    for name, row in (("cr", "1"), ("row", "[0-9]+ (of 'vertex' )?")):
         p(1, f"{name}.{kind}: row {row} ?ends in a carriage return alone", f"{name}.{kind}")
     if kind != "ply":  # a byte 0, as of UTF-16: the message is whole
         p(1, f"zero.{kind}: row 21 has a byte 0, which no text has but one of UTF-16", f"zero.{kind}")

@@ -32,8 +32,7 @@ def test_statistics():
     reasons = dict(shapes.statistics["free_points"])
     total = reasons.pop("total")
     assert (total, sum(reasons.values())) == (np.count_nonzero(shapes.labels == -1),) * 2
-    noted = tandem.detect_planes(*room(), maximum_angle=0.9)
-    assert noted.statistics["angle_note"] == "maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"
+    assert "meant as a cosine" in tandem.detect_planes(*room(), maximum_angle=0.9).statistics["angle_note"]
     assert shapes.statistics["angle_note"] == ""
 
 
@@ -45,8 +44,8 @@ def test_uncertainties():
         np.testing.assert_allclose(u["centroid"][s], own.mean(axis=0), atol=1e-3 * MAXIMUM_DISTANCE)
         covariance = u["normal_covariance"][s]
         np.testing.assert_allclose(covariance @ plane[:3], 0, atol=1e-12 * np.trace(covariance))
-        assert u["angle_deg"][s] == pytest.approx(np.degrees(np.sqrt(np.linalg.eigvalsh(covariance)[2])), rel=0, abs=5e-8)
-        assert u["offset_deviation"][s] == pytest.approx(u["noise"][s] / np.sqrt(len(own)), rel=0, abs=5e-8)
+        np.testing.assert_allclose([u["angle_deg"][s], u["offset_deviation"][s]], rtol=0, atol=5e-8, desired=[
+            np.degrees(np.sqrt(np.linalg.eigvalsh(covariance)[2])), u["noise"][s] / np.sqrt(len(own))])
 
 
 def test_points_of_shapes():
@@ -57,11 +56,9 @@ def test_points_of_shapes():
         outward = -shapes.planes[s] if shapes.is_flipped[s] else shapes.planes[s]
         assert (room()[1][shapes.points_of(s)] @ outward[:3]).mean() > 0.9
     assert shapes.points_of(-1).tolist() == shapes.points_of(5).tolist()
-    for wrong in (6, -7, 10**30, -2**63, 10**5000):
-        with pytest.raises(IndexError):
+    for wrong, error in ((6, IndexError), (-7, IndexError), (10**5000, IndexError), (1.5, TypeError)):
+        with pytest.raises(error):
             shapes.points_of(wrong)
-    with pytest.raises(TypeError):
-        shapes.points_of(1.5)
 
 
 def test_violations_are_found():
