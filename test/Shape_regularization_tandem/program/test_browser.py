@@ -17,9 +17,7 @@ HERE = Path(__file__).parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 NODE = shutil.which("node") or shutil.which("nodejs")
 PLAYWRIGHT = Path(os.environ.get("TANDEM_PLAYWRIGHT") or HERE.parents[2] / "build/playwright") / "node_modules"
-pytestmark = [pytest.mark.browser,
-              pytest.mark.skipif(not CHROMIUM, reason="no Chromium"),
-              pytest.mark.skipif(not HAS_VIEW, reason="the program was built without three.js")]
+pytestmark = pytest.mark.skipif(not CHROMIUM or not HAS_VIEW, reason="no Chromium, or a program without three.js")
 FLAGS = ["--headless=new", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
          "--window-size=800,500", "--enable-logging=stderr", "--virtual-time-budget=10000", "--dump-dom"]
 VIEW = "elevation=35&azimuth=45"

@@ -11,8 +11,7 @@ from clouds import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 from support import CLOUD, CUBE, HELP, NOTHING, PROGRAM, WARNS, pcd, ply, properties, table, words_of
 
 MPIEXEC = os.environ.get("TANDEM_MPIEXEC")
-pytestmark = [pytest.mark.mpi,
-              pytest.mark.skipif(not MPIEXEC or "mpirun" not in HELP, reason="the program was built without MPI")]
+pytestmark = pytest.mark.skipif(not MPIEXEC or "mpirun" not in HELP, reason="the program was built without MPI")
 ALL = " ".join(TILES)
 # Open MPI asks who wants it as root, or with more processes than processors.
 ENVIRONMENT = {**{f"OMPI_{name}": "1" for name in (
@@ -37,8 +36,8 @@ exit $code
 def prepare(p):
     write_tiles(p)
     tiles = {name: p.read(name) for name in ("corner.pts", "last.xyz")}
-    p.write({"class_none.ply": with_classes(""), "class_corner.ply": with_classes(tiles["corner.pts"]),
-             "class_last.ply": with_classes(tiles["last.xyz"]), "given.ply": ply(CLOUD, CUBE),
+    p.write({"class_none.ply": with_classes(""), "class_empty.ply": with_classes(""),
+             "class_corner.ply": with_classes(tiles["corner.pts"]), "class_last.ply": with_classes(tiles["last.xyz"]), "given.ply": ply(CLOUD, CUBE),
              # Tiles of one shape are in several processes, which have viewpoints of their own.
              "corner.pcd": seen_from("4 1.5 2", tiles["corner.pts"]), "last.pcd": seen_from("4 -9 9", tiles["last.xyz"]),
              "zeros.xyz": tiles["corner.pts"] + 5 * "0 0 0\n", "signals.sh": SIGNALS,
@@ -116,7 +115,7 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
     # One message, and no file
     (3, 1, "nothere.ply: no such file", f"{ALL} nothere.ply --output-directory none --planes none/planes"),
     (2, 2, "--threads is 0", f"{ALL} --threads 0 --output-directory none"),
-    (2, 1, "none of the inputs has points", "class_none.ply class_none.ply"),
+    (2, 1, "none of the inputs has points", "class_none.ply class_empty.ply"),
     *((2, 2, f"--{option.split()[0]} needs all points in one process", f"{ALL} --{option}") for option in (
         "output out.ply", "labels out.ply", "vg out.ply", "polygons out.ply", "shapes out.csv", "mesh out.ply",
         "view out.html", "by-plane", "planes-from 1", "minimum-area 1", "minimum-extent 1")),

@@ -57,8 +57,7 @@ def test_names_of_outputs(p, pattern, command):
 
 test_no_dash = cases([
     *((f"--{option} is '-', must be the name of a file .that of standard output is /dev/stdout", f"cube.ply --{option} -")
-      for option in ("output", "labels", "planes", "vg", "report")),
-    *((f"--{option} is '-', must end in", f"cube.ply --{option} -") for option in ("polygons", "shapes", "mesh", "view")),
+      for option in ("output", "labels", "report")), ("--polygons is '-', must end in", "cube.ply --polygons -"),
     ("INPUT is '-', must be the name of a file", "- E")], 2, absent=["-"])
 
 
@@ -89,8 +88,7 @@ def test_modes(p):
 
 
 @table("code, arguments", [
-    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (2, [NAME + b".ply", "--output-directory", "."]),
-    (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
+    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
     *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "classes", "columns", "fixed-direction", "threads")),
     (WARNS, ["cube.ply", b"none " + NAME + b".ply", "E"]), (0, [NAME + b".ply", "E", "--report", "names.json"])])
 def test_names_with_any_bytes(p, code, arguments):
@@ -105,8 +103,7 @@ def test_names_with_any_bytes(p, code, arguments):
 
 
 # Bytes of no character: continuations, forms that are too long, surrogates, beyond the last one, cut off
-NO_TEXT = (b"\x80 \xff \xc0\x81 \xc1\xbf \xe0\x9f\xbf \xed\xa0\x80 \xf0\x8f\xbf\xbf \xf4\x90\x80\x80 \xf5\x80\x80\x80 \xc3 "
-           b"\xe2\x82 \xf0\x9f\x98")
+NO_TEXT = b"\x80 \xff \xc0\x81 \xe0\x9f\xbf \xed\xa0\x80 \xf0\x8f\xbf\xbf \xf4\x90\x80\x80 \xf5\x80\x80\x80 \xe2\x82 \xf0\x9f\x98"
 
 
 @table("name, shown", [

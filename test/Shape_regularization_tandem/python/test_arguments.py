@@ -3,7 +3,6 @@
 """What detect_planes() accepts as arrays and parameters, and what it raises; tolerances of points, and points at 0 0 0."""
 
 import re
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -97,12 +96,10 @@ def test_few_points():
 
 
 def test_huge_numbers():
-    counts = ("minimum_region_size", "k_neighbors", "cell_size", "threads")
-    lengths = ("maximum_distance", "maximum_offset")
-    for name in ("maximum_angle", "angle_tolerance", "simplicity", "regularity", "surfel_size", *lengths, *counts):
-        for value in (10**400, -10**400, Fraction(10**400), -2**63 - 1, *(() if name in lengths else (2**63,))):
-            wrong = TypeError if name in counts and isinstance(value, Fraction) else ValueError
-            with pytest.raises(wrong, match=f"^{name} (is|must be) "):
+    for name in ("maximum_distance", "maximum_offset", "maximum_angle", "angle_tolerance", "simplicity", "regularity",
+                 "surfel_size", "minimum_region_size", "k_neighbors", "cell_size", "threads"):
+        for value in (10**400, -10**400, -2**63 - 1):
+            with pytest.raises(ValueError, match=f"^{name} (is|must be) "):
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
 
