@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from support import NOTHING, ply
+from support import NOTHING
 
 # --- The floor and two walls of a room, turned about the vertical, with noise
 
@@ -44,19 +44,6 @@ def ptx(points, scans=1, colors=""):
             text += f"{x:.6f} {y:.6f} {z:.6f} 0.5{colors}\n"
         text += f"0 0 0 0.5{colors}\n" * 50
     return text
-
-
-TYPES = {"short": "i2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8"}
-
-
-def typed_ply(points, types, scale=1, names="xyz", order="little"):
-    """The same points as a binary file and as text."""
-    columns = [(np.rint(scale * column) if TYPES[kind][0] in "iu" else column).astype(TYPES[kind])
-               for column, kind in zip(points.T, types)]
-    header = f"element vertex {len(points)}\n" + "".join(f"property {t} {n}\n" for t, n in zip(types, names))
-    rows = np.rec.fromarrays([c.astype(c.dtype.newbyteorder("<" if order == "little" else ">")) for c in columns])
-    text = "".join(" ".join(f"{x:.17g}" for x in row) + "\n" for row in zip(*columns))
-    return ply(header, kind=f"binary_{order}_endian").encode() + rows.tobytes(), ply(header, text)
 
 
 # --- What sensors and conversions make of a room

@@ -37,7 +37,8 @@ def prepare(p):
     write_tiles(p)
     tiles = {name: p.read(name) for name in ("corner.pts", "last.xyz")}
     p.write({"class_none.ply": with_classes(""), "class_empty.ply": with_classes(""),
-             "class_corner.ply": with_classes(tiles["corner.pts"]), "class_last.ply": with_classes(tiles["last.xyz"]), "given.ply": ply(CLOUD, CUBE),
+             "class_corner.ply": with_classes(tiles["corner.pts"]), "class_last.ply": with_classes(tiles["last.xyz"]),
+             "given.ply": ply(CLOUD, CUBE),
              # Tiles of one shape are in several processes, which have viewpoints of their own.
              "corner.pcd": seen_from("4 1.5 2", tiles["corner.pts"]), "last.pcd": seen_from("4 -9 9", tiles["last.xyz"]),
              "zeros.xyz": tiles["corner.pts"] + 5 * "0 0 0\n", "signals.sh": SIGNALS,

@@ -88,12 +88,12 @@ def test_modes(p):
 
 
 @table("code, arguments", [
-    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
+    (1, [b"no " + NAME]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
     *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "classes", "columns", "fixed-direction", "threads")),
     (WARNS, ["cube.ply", b"none " + NAME + b".ply", "E"]), (0, [NAME + b".ply", "E", "--report", "names.json"])])
 def test_names_with_any_bytes(p, code, arguments):
     """None controls a terminal."""
-    for name, content in ((b"%s.ply", ply(CLOUD, CUBE)), (b"%s.doc", CUBE), (b"none %s.ply", ply(NO_POINTS))):
+    for name, content in ((b"%s.ply", ply(CLOUD, CUBE)), (b"none %s.ply", ply(NO_POINTS))):
         Path(os.fsdecode(bytes(p.folder) + b"/" + name % NAME)).write_text(content)
     text = p(code, "", arguments).encode(errors="surrogateescape")
     assert not re.search(b"[\033\007\233]", text), "control characters"

@@ -7,8 +7,8 @@ import os
 import re
 
 import numpy as np
-from clouds import turned_room, typed_ply
-from support import (BARE, CLOUD, CUBE, N, VERTICES, WARNS, XYZ, binary_ply, cases, off, ply, properties, refused_files, table)
+from support import (BARE, CLOUD, CUBE, N, ROWS, VERTICES, WARNS, XYZ, binary_ply, cases, off, ply, properties, refused_files,
+                     table, text_of)
 
 TWO = "element vertex 2\n" + XYZ
 LIST = "property list uint float extra\n"
@@ -18,8 +18,6 @@ ONE_FLOAT = "element vertex 1\n" + properties("xyz", "float")
 POINT = bytes(12)
 COUNTED = ONE_FLOAT + "property list int float extra\n"
 OFF_FACES = "3 0 1 2 255 0\n3 0 2 1 255 0\n"
-TYPES = {"upper": (["float"] * 3, 1, "XYZ"), "uint": (["uint"] * 3, 10000, "xyz", "big"), "short": (["short"] * 3, 100),
-         "big": (["float", "double", "float"], 1, "xyz", "big")}
 # A box of 4 x 3 x 2 with faces of three to four corners
 CORNERS = "0 0 0\n4 0 0\n4 3 0\n0 3 0\n0 0 2\n4 0 2\n4 3 2\n0 3 2\n"
 BOX_FACES = "4 0 3 2 1\n3 4 5 6\n3 4 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
@@ -117,12 +115,14 @@ def test_interrupted_reading(p):
     p.path("long.ply").unlink()
 
 
-@table("name", TYPES)
-def test_names_and_types(p, name):
-    """Binary and text files have the same result."""
-    binary, text = typed_ply(turned_room(), *TYPES[name])
-    p.write({"binary.ply": binary, "text.ply": text})
-    p(0, p.hash("binary.ply", "points +3300, .*shapes +3 in 3 planes "), "text.ply")
+@table("order, sign", [("little", "<"), ("big", ">")])
+def test_binary_types(p, order, sign):
+    """They are the points of a text file."""
+    columns = np.rint(1000 * ROWS[:, :3]).T
+    rows = np.rec.fromarrays(columns.astype(int), dtype=[("x", sign + "f4"), ("y", sign + "u4"), ("z", sign + "i2")])
+    types = properties("X", "float") + properties("Y", "uint") + properties("Z", "short")
+    p.write({"typed.ply": binary_ply(f"element vertex {N}\n" + types, rows.tobytes(), order), "typed.xyz": text_of(columns.T)})
+    p(0, p.hash("typed.ply --maximum-distance 4", f"points +{N}, .*shapes +3 in 3 planes "), "typed.xyz --maximum-distance 4")
 
 
 @table("header, rows, pattern", [

@@ -160,7 +160,8 @@ CLOUDS = [
      "rounded, x in steps of 1, y in steps of 1, while .*more digits"),
     # Millimeters and copies on a grid are no rounded coordinates.
     (np.round(1000 * sensor_room(NEAR)), 12, ""), (np.round(np.repeat(sensor_room(NEAR)[:900], 8, axis=0), 2), .015, ""),
-    (sensor_room((0, 0, 38)) / (400, 300, .1) + (-71.06, 42.36, 0), .1, "look like degrees of longitude and latitude .*: project .* first, to UTM"),
+    (sensor_room((0, 0, 38)) / (400, 300, .1) + (-71.06, 42.36, 0), .1,
+     "look like degrees of longitude and latitude .*: project .* first, to UTM"),
     # A few points at 0 0 0 far from the others, or many near them
     *((np.concatenate([sensor_room(corner), np.zeros((zeros, 3))]), .02,
        f"{zeros} points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros" if zeros > least else "")
