@@ -78,12 +78,11 @@ def test_vertex_groups(p, cloud, more, groups):
     assert np.allclose(np.array(vectors[1:], float).reshape(-1, 3), normals, atol=2e-4)
     assert file[3] == ("num_groups", [str(len(groups))]) and len(file) == 4 + 7 * len(groups)
     for i, group in enumerate(groups):
-        entry = dict(file[4 + 7 * i:11 + 7 * i])
-        assert (entry["group_type"], entry["num_group_parameters"], entry["num_children"]) == (["0"], ["4"], ["0"])
-        assert (np.array(entry["group_parameters"], float) == planes[group[0]]).all() and entry["group_label"]
-        assert all(0 <= float(c) <= 1 for c in entry["group_color"]) and len(entry["group_color"]) == 3
-        count, *members = map(int, entry["group_num_points"])
-        assert count == len(members) and sorted(members) == np.flatnonzero(np.isin(labels, group)).tolist()
+        kind, number, parameters, label, color, members, children = (values for _, values in file[4 + 7 * i:11 + 7 * i])
+        assert (kind, number, len(label), len(color), children) == (["0"], ["4"], 1, 3, ["0"])
+        assert (np.array(parameters, float) == planes[group[0]]).all() and all(0 <= float(c) <= 1 for c in color)
+        members = np.array(members, int)
+        assert members[0] == len(members) - 1 and sorted(members[1:]) == np.flatnonzero(np.isin(labels, group)).tolist()
 
 
 def obj(text):
