@@ -221,8 +221,7 @@ def test_grid(p, size, place):
 
 
 def test_grids_of_inputs(p):
-    # As wide as the integers allow for that step
-    wide = np.concatenate([[(-340000, 0, 0), (340000, 0, 0)], POINTS])
+    wide = np.concatenate([[(-340000, 0, 0), (340000, 0, 0)], POINTS])  # as the integers allow for that step
     fine = np.array([(0.1234567, 0.2345678, 0.3456789)])
     p.write({"wide.txt": text_of(wide), "fine.txt": text_of(fine), "coarse.las": las(POINTS, 2, records=())})
     p(0, NOTHING, "wide.txt --maximum-distance 0.8 --output wide.las --quiet")

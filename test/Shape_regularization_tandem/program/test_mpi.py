@@ -56,11 +56,11 @@ def seen_from(place, rows):
 
 
 def ranks(p, n, code, pattern, arguments):
-    """What mpirun says of a failure comes with the one line of the program."""
-    return check(code, pattern, p.run([MPIEXEC, "-n", str(n), PROGRAM, *words_of(arguments)], ENVIRONMENT))
+    check(code, pattern, p.run([MPIEXEC, "-n", str(n), PROGRAM, *words_of(arguments)], ENVIRONMENT))
 
 
 def check(code, pattern, run):
+    """What mpirun says of a failure comes with the one line of the program."""
     status, out, err = run
     assert status == code and re.search(pattern, out + err, re.DOTALL), f"{status}, no {pattern}: {out}{err}"
     lines = re.findall("detect_planes: (?!warning: )[^\n]+\n", err)

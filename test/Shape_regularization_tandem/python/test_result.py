@@ -170,10 +170,6 @@ def test_directions():
     assert {name: shapes.parameters[name] for name in arguments} == arguments
     assert shapes_of_room().symmetry_groups.tolist() == shapes_of_room().fixed_directions.tolist() == [-1, -1, -1]
     assert tandem.find_violation(points, shapes) is None
-    with pytest.raises(ValueError, match="^symmetry_direction"):
-        tandem.detect_planes(points, symmetry_direction=(0, 0))
-    with pytest.raises(ValueError, match=r"^fixed_directions\[0\] is \(0, 0, 0\)"):
-        tandem.detect_planes(points, fixed_directions=np.zeros((1, 3)))
 
 
 # --- The table of the shapes, whose numbers are those of the program: test_programs.py
@@ -190,7 +186,7 @@ def test_columns():
     upward = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(1, 0, 0)).table()
     np.testing.assert_allclose(np.sort(upward["highest"]), [0] + 5 * [4], atol=0.05)
     empty = tandem.detect_planes(np.zeros((0, 3)), maximum_distance=1).table()
-    assert {column.shape for column in table.values()} == {(6,)} and {column.shape for column in empty.values()} == {(0,)}
+    assert list(empty) == list(table) and not any(len(column) for column in empty.values())
 
 
 def test_points_are_kept_and_may_change():
