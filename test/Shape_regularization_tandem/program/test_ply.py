@@ -7,8 +7,8 @@ import os
 import re
 
 import numpy as np
-from support import (BARE, CLOUD, CUBE, N, ROWS, VERTICES, WARNS, XYZ, binary_ply, cases, off, ply, properties, refused_files,
-                     table, text_of)
+from support import (BARE, CLOUD, CUBE, N, ROWS, VERTICES, WARNS, XYZ, binary_ply, cases, off, ply, properties,
+                     refused_files, table, text_of)
 
 TWO = "element vertex 2\n" + XYZ
 LIST = "property list uint float extra\n"
@@ -121,8 +121,10 @@ def test_binary_types(p, order, sign):
     columns = np.rint(1000 * ROWS[:, :3]).T
     rows = np.rec.fromarrays(columns.astype(int), dtype=[("x", sign + "f4"), ("y", sign + "u4"), ("z", sign + "i2")])
     types = properties("X", "float") + properties("Y", "uint") + properties("Z", "short")
-    p.write({"typed.ply": binary_ply(f"element vertex {N}\n" + types, rows.tobytes(), order), "typed.xyz": text_of(columns.T)})
-    p(0, p.hash("typed.ply --maximum-distance 4", f"points +{N}, .*shapes +3 in 3 planes "), "typed.xyz --maximum-distance 4")
+    binary = binary_ply(f"element vertex {N}\n" + types, rows.tobytes(), order)
+    p.write({"typed.ply": binary, "typed.xyz": text_of(columns.T)})
+    found = p.hash("typed.ply --maximum-distance 4", f"points +{N}, .*shapes +3 in 3 planes ")
+    p(0, found, "typed.xyz --maximum-distance 4")
 
 
 @table("header, rows, pattern", [

@@ -66,7 +66,7 @@ test_summary = cases([
     ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes.*67[0-9.]* % of shapes that "
      "were not selected", f"{PARTS} --largest 1"),
     ("selection +1 of 4 shapes.*--by-plane --largest 1", f"{PARTS} --by-plane --largest 1"),
-    ("--minimum-area 0.020123456789 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.020123456789 --minimum-extent 0.16")], 0)
+    ("--minimum-area 0.0201234 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.0201234 --minimum-extent 0.16")], 0)
 
 
 def test_outputs_of_what_is_left(p):
@@ -110,7 +110,7 @@ def test_crop(p):
     p(0, "points +1753", f"nan.xyz {OPTIONS}")
     p(1, "nan.xyz: has no points in the box of --crop: its own is 0.007,0.007,0,2.06[0-9]*,1,0.168",
       f"nan.xyz {OPTIONS} --crop 5,5,5,6,6,6")
-    p(WARNS, "warning: low.xyz: has no points in the box of --crop: its own is 0.007", "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
+    p(WARNS, "warning: low.xyz: has no points in the box of --crop: its own", "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
 
 
 def test_crop_of_meshes(p):

@@ -102,7 +102,8 @@ test_options = cases([
     (0, "tolerances .* by auto-local\n.*shapes +3 in", "plain.xyz --maximum-distance auto-local"),
     (2, ": --maximum-distance is 'local', must be a number, auto or auto-local ", "plain.xyz --maximum-distance local"),
     (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
-    (2, ": --maximum-distance auto-local and --noise both give ", f"cloud.ply --maximum-distance auto-local --noise r {BOUND}"),
+    (2, ": --maximum-distance auto-local and --noise both give ",
+     f"cloud.ply --maximum-distance auto-local --noise r {BOUND}"),
     (1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")])
 
 
