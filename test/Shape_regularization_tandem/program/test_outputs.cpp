@@ -50,8 +50,7 @@ public:
 
   void run(Totals& totals)
   {
-    check_apart();
-    check_nesting();
+    check_rings();
     check_areas();
     check_points(totals);
   }
@@ -94,27 +93,43 @@ private:
     return ring;
   }
 
-  void check_apart() const
+  // Rings are simple and have nothing in common. A hole is in its polygon, and in no other polygon or hole without the
+  // other one of the two; so is a polygon.
+  void check_rings() const
   {
     const auto edge = [](const Ring& ring, std::size_t i) {
       return Program_kernel::Segment_2(ring[i], ring[(i + 1) % ring.size()]);
     };
-    std::vector<const Ring*> rings;
+    for_each_ring([&](const std::vector<Ring>& own, const Ring& a) {
+      const bool is_hole = &a != &own.front(),
+                 is_simple = a.size() >= 3 && CGAL::is_simple_2(a.begin(), a.end(), Program_kernel());
+      expect(is_simple, "a ring touches or crosses itself");
+      expect(!is_simple || CGAL::orientation_2(a.begin(), a.end(), Program_kernel()) ==
+                             (is_hole ? CGAL::CLOCKWISE : CGAL::COUNTERCLOCKWISE),
+             "orientation");
+      expect(!is_hole || is_in(own[0], a[0], CGAL::ON_BOUNDED_SIDE), "hole outside");
+      int depth = 0;
+      for_each_ring([&](const std::vector<Ring>& other, const Ring& b) {
+        if(&a == &b)
+          return;
+        depth += is_in(b, a[0], CGAL::ON_BOUNDED_SIDE) ? (&b == &other.front() ? 1 : -1) : 0;
+        for(std::size_t i = 0; i < a.size(); ++i)
+          for(std::size_t j = 0; j < b.size(); ++j)
+            expect(!CGAL::do_overlap(edge(a, i).bbox(), edge(b, j).bbox()) ||
+                     !CGAL::do_intersect(edge(a, i), edge(b, j)),
+                   "rings touch or cross");
+      });
+      expect(depth == is_hole, "nesting");
+    });
+  }
+
+  // f(polygon, ring of it)
+  template <class F>
+  void for_each_ring(const F& f) const
+  {
     for(const std::vector<Ring>& polygon : polygons_)
-      for(const Ring& a : polygon) {
-        const bool is_simple = a.size() >= 3 && CGAL::is_simple_2(a.begin(), a.end(), Program_kernel());
-        expect(is_simple, "a ring touches or crosses itself");
-        expect(!is_simple || CGAL::orientation_2(a.begin(), a.end(), Program_kernel()) ==
-                               (&a == &polygon.front() ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE),
-               "orientation");
-        for(const Ring* b : rings)
-          for(std::size_t i = 0; i < a.size(); ++i)
-            for(std::size_t j = 0; j < b->size(); ++j)
-              expect(!CGAL::do_overlap(edge(a, i).bbox(), edge(*b, j).bbox()) ||
-                       !CGAL::do_intersect(edge(a, i), edge(*b, j)),
-                     "rings touch or cross");
-        rings.push_back(&a);
-      }
+      for(const Ring& ring : polygon)
+        f(polygon, ring);
   }
 
   static bool is_in(const Ring& ring, const Flat& p, CGAL::Bounded_side side)
@@ -127,20 +142,6 @@ private:
     return !is_in(polygon[0], p, CGAL::ON_UNBOUNDED_SIDE) &&
            std::none_of(polygon.begin() + 1, polygon.end(),
                         [&](const Ring& hole) { return is_in(hole, p, CGAL::ON_BOUNDED_SIDE); });
-  }
-
-  // Holes are inside of their polygon and outside of each other, polygons outside of others or in their holes.
-  void check_nesting() const
-  {
-    for(const std::vector<Ring>& polygon : polygons_) {
-      for(std::size_t h = 1; h < polygon.size(); ++h) {
-        expect(is_in(polygon[0], polygon[h][0], CGAL::ON_BOUNDED_SIDE), "hole outside");
-        for(std::size_t g = 1; g < polygon.size(); ++g)
-          expect(g == h || is_in(polygon[g], polygon[h][0], CGAL::ON_UNBOUNDED_SIDE), "hole in a hole");
-      }
-      for(const std::vector<Ring>& other : polygons_)
-        expect(&other == &polygon || !is_inside(other, polygon[0][0]), "polygon in another one");
-    }
   }
 
   long double area_of(const Ring& r)
@@ -158,9 +159,7 @@ private:
   void check_areas()
   {
     long double of_rings = 0, of_triangles = 0;
-    for(const std::vector<Ring>& polygon : polygons_)
-      for(const Ring& ring : polygon)
-        of_rings += area_of(ring);
+    for_each_ring([&](const std::vector<Ring>&, const Ring& ring) { of_rings += area_of(ring); });
     for(const auto& polygon : areas_.polygons(s_))
       for(const auto& t : polygon.triangles) {
         const Ring triangle = ring_of({t.begin(), t.end()});
