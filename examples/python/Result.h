@@ -7,20 +7,19 @@
 #define TANDEM_PYTHON_RESULT_H
 
 #include "detection.h"
-#include "dictionaries.h"
+
+#include <CGAL/Tandem/shape_columns.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <cstddef>
-#include <optional>
-#include <string>
+#include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace tandem_python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 using Rows = py::array_t<double, py::array::c_style>;
 
@@ -37,7 +36,7 @@ public:
   Result(Shapes shapes, Given given) : shapes_(std::move(shapes)), given_(std::move(given)) {}
 
   const Shapes& shapes() const { return shapes_; }
-  std::size_t size() const { return shapes_.statistics().number_of_shapes; }
+  std::size_t size() const { return shapes_.number_of_shapes(); }
   const Given& given() const { return given_; }
 
   // Estimated normals are unpacked once, where they are asked for.
@@ -46,8 +45,13 @@ public:
     if(given_.normals)
       return *given_.normals;
     if(!estimated_normals_) {
-      estimated_normals_.emplace(std::vector<py::ssize_t>{py::ssize_t(shapes_.labels().size), 3});
-      shapes_.copy_estimated_normals(estimated_normals_->mutable_data());
+      const std::size_t points = shapes_.number_of_points();
+      estimated_normals_.emplace(std::vector<py::ssize_t>{py::ssize_t(points), 3});
+      double* to = estimated_normals_->mutable_data();
+      for(std::size_t i = 0; i < points; ++i) {
+        const Kernel::Vector_3 normal = shapes_.estimated_normal(i);
+        to = std::copy_n(normal.cartesian_begin(), 3, to);
+      }
     }
     return *estimated_normals_;
   }
@@ -59,31 +63,32 @@ private:
 };
 
 // A read-only array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
-template <class As, class Number>
-py::array view(const py::object& owner, const Table<Number>& table, py::ssize_t columns = 0)
+template <class As, class Item>
+py::array view(const py::object& owner, const Item* data, std::size_t items, py::ssize_t columns = 0)
 {
-  static_assert(sizeof(As) == sizeof(Number), "the array has the same memory");
-  std::vector<py::ssize_t> shape = {py::ssize_t(table.size)};
-  if(columns > 0)
-    shape = {py::ssize_t(table.size) / columns, columns};
-  py::array array(py::dtype::of<As>(), shape, table.data, owner);
+  static_assert(sizeof(Item) % sizeof(As) == 0, "the array has the same memory");
+  const auto size = py::ssize_t(items * (sizeof(Item) / sizeof(As)));
+  const std::vector<py::ssize_t> shape =
+    columns > 0 ? std::vector<py::ssize_t>{size / columns, columns} : std::vector<py::ssize_t>{size};
+  py::array array(py::dtype::of<As>(), shape, data, owner);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
 
 // A property that is a view of a table.
-template <class As, class Number>
-auto getter(Table<Number> (Shapes::*table)() const, py::ssize_t columns = 0)
+template <class As, class Table, class Data>
+auto getter(Table Data::*member, py::ssize_t columns = 0)
 {
-  return [table, columns](const py::object& self) {
-    return view<As>(self, (self.cast<const Result&>().shapes().*table)(), columns);
+  return [member, columns](const py::object& self) {
+    const Table& table = self.cast<const Result&>().shapes().data().*member;
+    return view<As>(self, table.data(), table.size(), columns);
   };
 }
 
 inline py::array normals(const py::object& self)
 {
   const Rows& rows = self.cast<Result&>().normals();
-  return view<double>(self, Table<double>{rows.data(), std::size_t(rows.size())}, 3);
+  return view<double>(self, rows.data(), std::size_t(rows.size()), 3);
 }
 
 // As a list of Python: negative numbers count from the end, and those that are too large are an IndexError, too.
@@ -96,7 +101,8 @@ inline py::array points_of(const py::object& self, const py::object& index)
   const auto n = py::ssize_t(result.size());
   if(shape < -n || shape >= n)
     throw py::index_error("shape is " + std::to_string(shape) + ", but there are " + std::to_string(n) + " shapes");
-  return view<std::uint32_t>(self, result.shapes().points(std::size_t(shape < 0 ? shape + n : shape)));
+  const Shapes::Positions points = result.shapes().points(std::size_t(shape < 0 ? shape + n : shape));
+  return view<std::uint32_t>(self, points.begin(), points.size());
 }
 
 // values(u): so many numbers of each shape, as an array of rows.
@@ -106,16 +112,14 @@ py::array_t<double> columns_of(const Result& result, std::vector<py::ssize_t> ro
   row.insert(row.begin(), py::ssize_t(result.size()));
   py::array_t<double> array(row);
   double* to = array.mutable_data();
-  const auto table = result.shapes().uncertainties();
-  for(std::size_t s = 0; s < table.size; ++s)
-    for(const double x : values(table.data[s]))
+  for(const CGAL::Tandem::Plane_uncertainty& u : result.shapes().data().uncertainty)
+    for(const double x : values(u))
       *to++ = x;
   return array;
 }
 
 inline py::dict uncertainties(const Result& result)
 {
-  using namespace py::literals;
   using Uncertainty = CGAL::Tandem::Plane_uncertainty;
   const auto numbers = [&](double Uncertainty::*member) {
     return columns_of(result, {}, [&](const Uncertainty& u) { return std::array<double, 1>{u.*member}; });
@@ -132,9 +136,27 @@ inline py::dict uncertainties(const Result& result)
                   "angle_deg"_a = numbers(&Uncertainty::angle_deg));
 }
 
+inline py::dict times(const CGAL::Tandem::Stage_times& t)
+{
+  return py::dict("normals"_a = t.normals, "sort"_a = t.sort, "neighbors"_a = t.neighbors, "growth"_a = t.growth,
+                  "regularity"_a = t.regularity, "finish"_a = t.finish, "total"_a = t.total);
+}
+
+inline py::dict score(const CGAL::Tandem::Result_score& s)
+{
+  return py::dict("fit"_a = s.fit, "links"_a = s.links, "size"_a = s.size, "price"_a = s.price, "freedom"_a = s.freedom,
+                  "total"_a = s.total());
+}
+
+inline py::dict free_points(const CGAL::Tandem::Free_points& f)
+{
+  return py::dict("without_normal"_a = f.without_normal, "misfit"_a = f.misfit,
+                  "without_neighbors"_a = f.without_neighbors, "in_small_regions"_a = f.in_small_regions,
+                  "clutter"_a = f.clutter, "unselected"_a = f.unselected, "total"_a = f.total());
+}
+
 inline py::dict statistics(const Result& result)
 {
-  using namespace py::literals;
   const CGAL::Tandem::Statistics& s = result.shapes().statistics();
   return py::dict(
     "number_of_points"_a = s.number_of_points,
@@ -169,7 +191,6 @@ inline py::object axis(const CGAL::Tandem::Parameters& p)
 
 inline py::dict parameters(const Result& result)
 {
-  using namespace py::literals;
   const CGAL::Tandem::Parameters& p = result.shapes().parameters();
   return py::dict("maximum_distance"_a = p.maximum_distance, "maximum_angle"_a = p.maximum_angle,
                   "angle_tolerance"_a = p.angle_tolerance, "maximum_offset"_a = p.maximum_offset,
@@ -195,27 +216,27 @@ using Class = py::class_<Result>;
 inline void add_arrays(Class& result)
 {
   result
-    .def_property_readonly("planes", getter<double>(&Shapes::planes, 4),
+    .def_property_readonly("planes", getter<double>(&Shapes::Data::coefficients, 4),
                            "(m, 4) float64: a, b, c, d of each shape, with a x + b y + c z + d = 0 and a unit normal.\n"
                            "Parallel shapes have the same normal and coplanar shapes the same plane, bit for bit.")
-    .def_property_readonly("labels", getter<std::int32_t>(&Shapes::labels),
+    .def_property_readonly("labels", getter<std::int32_t>(&Shapes::Data::shape_of),
                            "(n,) int32: the shape of each point, -1 if it has none.")
     .def_property_readonly(
-      "parallel_groups", getter<std::int32_t>(&Shapes::parallel_groups),
+      "parallel_groups", getter<std::int32_t>(&Shapes::Data::parallel_group),
       "(m,) int32: the parallel group of each shape, from 0. Shapes of a group have one direction.")
-    .def_property_readonly("coplanar_groups", getter<std::int32_t>(&Shapes::coplanar_groups),
+    .def_property_readonly("coplanar_groups", getter<std::int32_t>(&Shapes::Data::coplanar_group),
                            "(m,) int32: the coplanar group of each shape, from 0. Shapes of a group have one plane.")
     .def_property_readonly(
-      "orthogonal_pairs", getter<std::int32_t>(&Shapes::orthogonal_pairs, 2),
+      "orthogonal_pairs", getter<std::int32_t>(&Shapes::Data::orthogonal_groups, 2),
       "(p, 2) int32: pairs of parallel groups that are orthogonal, the smaller one first, sorted.\n"
       "Their unit normals have a dot product of at most 1e-15.")
-    .def_property_readonly("fixed_directions", getter<std::int32_t>(&Shapes::fixed_directions),
+    .def_property_readonly("fixed_directions", getter<std::int32_t>(&Shapes::Data::fixed_direction),
                            "(g,) int32: which of the fixed_directions that were given each parallel group has, -1 if\n"
                            "none.")
-    .def_property_readonly("symmetry_groups", getter<std::int32_t>(&Shapes::symmetry_groups),
+    .def_property_readonly("symmetry_groups", getter<std::int32_t>(&Shapes::Data::symmetry_group),
                            "(g,) int32: the symmetry group of each parallel group. Those of one make the same angle\n"
                            "with symmetry_direction, up to 1e-15 of its cosine. -1 without that direction.")
-    .def_property_readonly("is_flipped", getter<bool>(&Shapes::is_flipped),
+    .def_property_readonly("is_flipped", getter<bool>(&Shapes::Data::is_flipped),
                            "(m,) bool: whether most of the given normals of the points of a shape are opposite to its\n"
                            "plane: multiply such planes by -1 to orient them. False where normals were estimated.")
     .def_property_readonly("normals", &normals,
@@ -254,6 +275,91 @@ inline void add_values(Class& result)
     .def("__repr__", &text);
 }
 
+// --- The table of the shapes: PlanarShapes.table()
+
+// number_of(s): of each shape, as a new array.
+template <class Number, class F>
+py::array_t<Number> array_by_shape(const Result& result, const F& number_of)
+{
+  py::array_t<Number> array(py::ssize_t(result.size()));
+  Number* to = array.mutable_data();
+  for(std::size_t s = 0; s < result.size(); ++s)
+    *to++ = Number(number_of(s));
+  return array;
+}
+
+// Other threads of Python run meanwhile. The array of points is the caller's, who may have changed it.
+inline std::vector<CGAL::Tandem::Shape_facts> facts_of(const Result& result)
+{
+  const Cloud cloud = {result.given().points->data(), nullptr, nullptr, result.shapes().number_of_points()};
+  const py::gil_scoped_release no_gil;
+  try {
+    return shape_facts(cloud, result.shapes());
+  } catch(const std::invalid_argument& e) {
+    throw std::invalid_argument("points were changed after the detection, and table() measures them. " +
+                                std::string(e.what()));
+  }
+}
+
+// The names are those of the columns of detect_planes --shapes.
+inline py::dict table(const Result& result)
+{
+  const std::vector<CGAL::Tandem::Shape_facts> facts = facts_of(result);
+  const Shapes& shapes = result.shapes();
+  py::dict dict;
+  const auto add = [&](const std::string& name, const auto& number_of) {
+    dict[py::str(name)] = array_by_shape<double>(result, number_of);
+  };
+  const auto add_count = [&](const char* name, const auto& number_of) {
+    dict[name] = array_by_shape<std::int64_t>(result, number_of);
+  };
+  add_count("shape", [](std::size_t s) { return s; });
+  add_count("points", [&](std::size_t s) { return facts[s].number_of_points; });
+  for(std::size_t k = 0; k < 4; ++k)
+    add(std::string(1, "abcd"[k]), [&](std::size_t s) { return shapes.coefficients(s)[k]; });
+  for(std::size_t k = 0; k < 3; ++k)
+    add(std::string(1, "xyz"[k]), [&](std::size_t s) { return facts[s].centroid[k]; });
+  for(const auto& column : CGAL::Tandem::fact_columns)
+    add(column.name, [&](std::size_t s) { return facts[s].*column.number; });
+  for(const auto& column : CGAL::Tandem::uncertainty_columns)
+    add(column.name, [&](std::size_t s) { return shapes.uncertainty(s).*column.number; });
+  add_count("parallel_group", [&](std::size_t s) { return shapes.parallel_group(s); });
+  add_count("coplanar_group", [&](std::size_t s) { return shapes.coplanar_group(s); });
+  return dict;
+}
+
+inline void add_table(Class& result)
+{
+  result.def(
+    "table", &table,
+    "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row of each shape, as the program "
+    "detect_planes\n"
+    "--shapes writes them. Integers are int64, the others float64; lengths are in units of the points.\n\n"
+    "shape, points            the shape, and the number of its points\n"
+    "a, b, c, d               its plane\n"
+    "x, y, z                  the mean of its points\n"
+    "area                     what they cover: the area of their outline; 0 where they are too few for one\n"
+    "length, width            the sides of the smallest rectangle in the plane around them, the longer one first\n"
+    "lowest, highest          of their heights along the upward direction: z, or symmetry_direction\n"
+    "tilt_deg                 angle of the normal with that direction, in [0, 180]; of the outward side, as "
+    "is_flipped\n"
+    "                         tells it, where normals were given\n"
+    "dip_deg                  angle of the plane with the level, in [0, 90]\n"
+    "azimuth_deg              where it falls most steeply, clockwise from y, in [0, 360); 0 for a level plane\n"
+    "rms_distance, mean_distance\n"
+    "                         of the points to the plane\n"
+    "turned_deg, shifted      how far regularization moved it from the least-squares plane of the points\n"
+    "noise, offset_deviation, angle_deviation_deg\n"
+    "                         as in uncertainties, where the last one is angle_deg\n"
+    "parallel_group, coplanar_group\n\n"
+    "The points are read again where detect_planes() has read them: the result keeps that array alive. Raises "
+    "ValueError\n"
+    "where they were changed since so that one is no longer on its plane; smaller changes are measured as they are.\n"
+    "Most of the time, about that of the detection, is for the areas.");
+}
+
+// ---
+
 // Objects of the class come from functions of the module only. Python would make them without a value, by __new__() of
 // the class or, where that is refused, of its base. Copies and unpickled objects begin like that, too.
 template <class Type>
@@ -278,6 +384,7 @@ inline Class add_result(py::module_& module)
   refuse_new(result);
   add_arrays(result);
   add_values(result);
+  add_table(result);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Planar_shapes.h"
+#include "detection.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -17,57 +17,8 @@
 
 namespace tandem_python {
 
-namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-template <class Range>
-auto table_of(const Range& range)
-{
-  return Table<typename Range::value_type>{range.data(), range.size()};
-}
-
-// Coefficients are four numbers, and pairs are two.
-Table<double> Shapes::planes() const
-{
-  const auto& planes = data_->shapes.data().coefficients;
-  return {planes.empty() ? nullptr : planes.front().data(), 4 * planes.size()};
-}
-
-Table<int> Shapes::orthogonal_pairs() const
-{
-  const auto& pairs = data_->shapes.orthogonal_groups();
-  static_assert(sizeof(pairs[0]) == 2 * sizeof(int), "nothing lies between the numbers");
-  return {pairs.empty() ? nullptr : &pairs.front().first, 2 * pairs.size()};
-}
-
-Table<std::int32_t> Shapes::labels() const { return table_of(data_->shapes.shape_indices()); }
-Table<int> Shapes::parallel_groups() const { return table_of(data_->shapes.data().parallel_group); }
-Table<int> Shapes::coplanar_groups() const { return table_of(data_->shapes.data().coplanar_group); }
-Table<int> Shapes::fixed_directions() const { return table_of(data_->shapes.data().fixed_direction); }
-Table<int> Shapes::symmetry_groups() const { return table_of(data_->shapes.data().symmetry_group); }
-Table<CGAL::Tandem::Plane_uncertainty> Shapes::uncertainties() const
-{
-  return table_of(data_->shapes.data().uncertainty);
-}
-Table<char> Shapes::is_flipped() const { return table_of(data_->shapes.data().is_flipped); }
-
-Table<std::uint32_t> Shapes::points(std::size_t shape) const
-{
-  const Planar_shapes::Positions points = data_->shapes.points(shape);
-  return {points.begin(), points.size()};
-}
-
-void Shapes::copy_estimated_normals(double* to) const
-{
-  for(std::size_t i = 0; i < data_->shapes.number_of_points(); ++i) {
-    const Kernel::Vector_3 normal = data_->shapes.estimated_normal(i);
-    to = std::copy_n(normal.cartesian_begin(), 3, to);
-  }
-}
-
-const CGAL::Tandem::Statistics& Shapes::statistics() const { return data_->shapes.statistics(); }
-const Parameters& Shapes::parameters() const { return data_->shapes.parameters(); }
-std::uint64_t Shapes::hash() const { return data_->shapes.hash(); }
 
 namespace {
 
@@ -113,7 +64,7 @@ Parameters parameters_of(const Settings& s)
 }
 
 template <class Tag>
-Planar_shapes detect_with(const Cloud& cloud, const Settings& s, const Callback& callback)
+Shapes detect_with(const Cloud& cloud, const Settings& s, const Callback& callback)
 {
   return with_all_maps(cloud, [&](const auto& maps) {
     const auto all = maps.settings(parameters_of(s)).callback(callback);
@@ -128,7 +79,7 @@ Planar_shapes detect_with(const Cloud& cloud, const Settings& s, const Callback&
   throw std::runtime_error("the back end " + backend + " cannot be used: " + why + " (\"auto\" takes what there is)");
 }
 
-Planar_shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& callback)
+Shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& callback)
 {
 #ifdef CGAL_TANDEM_USE_CUDA
   if(s.backend == "auto")
@@ -157,10 +108,10 @@ Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& call
   if(s.threads) {
     const int most = tbb::this_task_arena::max_concurrency();
     tbb::task_arena arena(*s.threads < most ? int(*s.threads) : most);
-    return arena.execute([&] { return share(detect_on_backend(cloud, s, callback)); });
+    return arena.execute([&] { return detect_on_backend(cloud, s, callback); });
   }
 #endif
-  return share(detect_on_backend(cloud, s, callback));
+  return detect_on_backend(cloud, s, callback);
 }
 
 Parameters estimate_parameters(const Cloud& cloud)
@@ -227,9 +178,8 @@ CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::i
 std::string find_violation(const Cloud& cloud, const Shapes& shapes)
 {
   std::string why;
-  with_all_maps(cloud, [&](const auto& maps) {
-    return CGAL::Tandem::is_valid_result(rows_of(cloud), shapes.data().shapes, maps, &why);
-  });
+  with_all_maps(cloud,
+                [&](const auto& maps) { return CGAL::Tandem::is_valid_result(rows_of(cloud), shapes, maps, &why); });
   return why;
 }
 

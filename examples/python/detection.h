@@ -1,27 +1,33 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the Python module calls, without types of Python, and without the headers of CGAL, which take longest to
-// compile. Clouds are rows of three doubles in the caller's memory.
+// What the Python module calls, without types of Python. Clouds are rows of three doubles in the caller's memory.
 
 #ifndef TANDEM_PYTHON_DETECTION_H
 #define TANDEM_PYTHON_DETECTION_H
 
-#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>
-#include <CGAL/Tandem/Plane_uncertainty.h>
 #include <CGAL/Tandem/Shape_facts.h>
-#include <CGAL/Tandem/Statistics.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+#include <boost/iterator/counting_iterator.hpp>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tandem_python {
 
+namespace np = CGAL::Tandem::parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+
+using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 using Coefficients = std::array<double, 4>;
 
 // The memory is read only while a function runs.
@@ -43,41 +49,67 @@ struct Settings {
   std::string backend = "auto";
 };
 
-// Numbers that do not change, in memory of the shapes.
-template <class Number>
-struct Table {
-  const Number* data;
-  std::size_t size;
+// Criteria; those that are not given hold for all shapes.
+struct Selection {
+  std::optional<long long> largest;
+  std::optional<double> minimum_area, minimum_extent, near_angle;
+  std::optional<std::array<double, 3>> near_direction, orthogonal_direction;
 };
 
-// The result of a detection. Copies share it.
-class Shapes {
-public:
-  struct Data; // a Planar_shapes_3
-
-  explicit Shapes(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
-
-  Table<double> planes() const; // four of each shape
-  Table<std::int32_t> labels() const;
-  Table<int> parallel_groups() const;
-  Table<int> coplanar_groups() const;
-  Table<int> orthogonal_pairs() const; // two of each pair
-  Table<int> fixed_directions() const; // of each parallel group
-  Table<int> symmetry_groups() const;  // of each parallel group
-  Table<char> is_flipped() const;      // 0 or 1
-  Table<CGAL::Tandem::Plane_uncertainty> uncertainties() const;
-  Table<std::uint32_t> points(std::size_t shape) const;
-  void copy_estimated_normals(double* to) const; // three of each point
-  const CGAL::Tandem::Statistics& statistics() const;
-  const CGAL::Tandem::Parameters& parameters() const;
-  std::uint64_t hash() const;
-  const Data& data() const { return *data_; }
-
-private:
-  std::shared_ptr<const Data> data_;
+// What is not given is that of the shapes.
+struct Labeling {
+  std::optional<double> maximum_distance, maximum_angle, reach;
+  Cloud shape_points; // of the detection; null: planes have no end
 };
 
-// Throws what the library throws. An exception of the callback ends the detection and is passed on.
+// --- Clouds as ranges with property maps
+
+// The points of a cloud are the numbers of its rows ...
+using Row = boost::counting_iterator<std::size_t>;
+using Cloud_rows = CGAL::Iterator_range<Row>;
+
+inline Cloud_rows rows_of(const Cloud& cloud) { return Cloud_rows(Row(0), Row(cloud.size)); }
+
+// ... and this property map makes points or vectors of them.
+template <class Geometry>
+struct Row_map {
+  using key_type = std::size_t;
+  using value_type = Geometry;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const double* values;
+
+  friend value_type get(const Row_map& map, std::size_t i)
+  {
+    const double* v = map.values + 3 * i;
+    return value_type(v[0], v[1], v[2]);
+  }
+};
+using Point_map = Row_map<Kernel::Point_3>;
+using Normal_map = Row_map<Kernel::Vector_3>;
+
+// Calls f with the named parameters for the maps of the points and normals of the cloud ...
+template <class F>
+auto with_maps(const Cloud& cloud, const F& f)
+{
+  const auto points = np::point_map(Point_map{cloud.points});
+  return cloud.normals != nullptr ? f(points.normal_map(Normal_map{cloud.normals})) : f(points);
+}
+
+// ... and with that of tolerances.
+template <class F>
+auto with_all_maps(const Cloud& cloud, const F& f)
+{
+  return with_maps(cloud, [&](const auto& maps) {
+    return cloud.tolerances != nullptr ? f(maps.maximum_distance_map(CGAL::make_property_map(cloud.tolerances)))
+                                       : f(maps);
+  });
+}
+
+// --- Functions, which throw what the library throws
+
+// An exception of the callback ends the detection and is passed on.
 Shapes detect_planes(const Cloud& cloud, const Settings& settings, const CGAL::Tandem::Callback& callback);
 
 CGAL::Tandem::Parameters estimate_parameters(const Cloud& cloud);
@@ -97,6 +129,14 @@ std::string find_violation(const Cloud& cloud, const Shapes& shapes);
 
 // Those that can be used on this machine.
 std::vector<std::string> backends();
+
+Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices);
+
+// The points are those of the detection, which are read for areas and extents.
+Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection& selection);
+
+// The normals of the cloud count where there are some.
+std::vector<std::int32_t> label_points(const Shapes& shapes, const Cloud& cloud, const Labeling& labeling);
 
 } // namespace tandem_python
 

@@ -4,8 +4,7 @@
 // The extension module tandem._tandem. The package, tandem/__init__.py, checks and converts the arguments: arrays that
 // come here are contiguous and of the right type.
 
-#include "selection.h"
-#include "table.h"
+#include "Result.h"
 
 #include <pybind11/stl.h>
 
@@ -50,10 +49,9 @@ Result detect(const Rows& points, const Given& given, const Settings& settings, 
 {
   const Cloud cloud = cloud_of(points, given);
   const auto callback = [&progress](double share) { return report_progress(progress, share); };
-  const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
   Given all = given;
   all.points = points;
-  return Result(shapes, all);
+  return Result(without_gil([&] { return detect_planes(cloud, settings, callback); }), all);
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
@@ -125,22 +123,27 @@ py::array_t<std::int32_t> label(const Result& result, const Rows& points, const 
   return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
 }
 
-// The arguments of functions that have many, as settings.
+// A class of the arguments of functions that have many, and the function that makes them.
+template <class Arguments>
+py::class_<Arguments> add_arguments(py::module_& module, const char* name, const char* maker)
+{
+  py::class_<Arguments> arguments(module, name, py::module_local());
+  refuse_new(arguments);
+  module.def(maker, [] { return Arguments(); });
+  return arguments;
+}
+
 void add_selection(py::module_& module)
 {
-  py::class_<Selection> selection(module, "Selection", py::module_local());
-  refuse_new(selection);
-  module.def("default_selection", [] { return Selection(); });
-  selection.def_readwrite("largest", &Selection::largest)
+  add_arguments<Selection>(module, "Selection", "default_selection")
+    .def_readwrite("largest", &Selection::largest)
     .def_readwrite("minimum_area", &Selection::minimum_area)
     .def_readwrite("minimum_extent", &Selection::minimum_extent)
     .def_readwrite("near_angle", &Selection::near_angle)
     .def_readwrite("near_direction", &Selection::near_direction)
     .def_readwrite("orthogonal_direction", &Selection::orthogonal_direction);
-  py::class_<Labeling> labeling(module, "Labeling", py::module_local());
-  refuse_new(labeling);
-  module.def("default_labeling", [] { return Labeling(); });
-  labeling.def_readwrite("maximum_distance", &Labeling::maximum_distance)
+  add_arguments<Labeling>(module, "Labeling", "default_labeling")
+    .def_readwrite("maximum_distance", &Labeling::maximum_distance)
     .def_readwrite("maximum_angle", &Labeling::maximum_angle)
     .def_readwrite("reach", &Labeling::reach);
   module.def("select_shapes", &select);
@@ -155,10 +158,8 @@ void add_settings(py::module_& module)
   module.def("given", [](const std::optional<Rows>& normals, const std::optional<Rows>& tolerances, std::size_t zeros) {
     return Given{normals, tolerances, zeros, std::nullopt};
   });
-  py::class_<Settings> settings(module, "Settings", py::module_local());
-  refuse_new(settings);
-  module.def("default_settings", [] { return Settings(); });
-  settings.def_readwrite("maximum_distance", &Settings::maximum_distance)
+  add_arguments<Settings>(module, "Settings", "default_settings")
+    .def_readwrite("maximum_distance", &Settings::maximum_distance)
     .def_readwrite("maximum_angle", &Settings::maximum_angle)
     .def_readwrite("angle_tolerance", &Settings::angle_tolerance)
     .def_readwrite("maximum_offset", &Settings::maximum_offset)
@@ -185,8 +186,7 @@ PYBIND11_MODULE(_tandem, module)
   module.doc() = "The compiled part of tandem.";
   module.attr("__version__") = TANDEM_VERSION;
   add_settings(module);
-  Class result = add_result(module);
-  add_table(result);
+  add_result(module);
   add_selection(module);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);

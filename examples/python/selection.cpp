@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "selection.h"
-#include "Planar_shapes.h"
+#include "detection.h"
 
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
 #include <algorithm>
 
@@ -13,28 +13,31 @@ namespace tandem_python {
 
 Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices)
 {
-  return share(CGAL::Tandem::select_shapes(shapes.data().shapes, indices));
+  return CGAL::Tandem::select_shapes(shapes, indices);
+}
+
+std::vector<CGAL::Tandem::Shape_facts> shape_facts(const Cloud& cloud, const Shapes& shapes)
+{
+  return CGAL::Tandem::shape_facts(shapes, rows_of(cloud), np::point_map(Point_map{cloud.points}));
 }
 
 // Each direction is a type of named parameters of its own.
 Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection& s)
 {
-  const Planar_shapes& all = shapes.data().shapes;
-  const auto select = [&](const auto& list) { return CGAL::Tandem::select_shapes(all, rows_of(points), list); };
+  const auto select = [&](const auto& list) { return CGAL::Tandem::select_shapes(shapes, rows_of(points), list); };
   const auto vector = [](const std::array<double, 3>& d) { return Kernel::Vector_3(d[0], d[1], d[2]); };
   const auto list = np::point_map(Point_map{points.points})
-                      .largest(s.largest.value_or((std::max)(all.number_of_shapes(), std::size_t(1))))
+                      .largest(s.largest.value_or((std::max)(shapes.number_of_shapes(), std::size_t(1))))
                       .minimum_area(s.minimum_area.value_or(0))
                       .minimum_extent(s.minimum_extent.value_or(0))
                       .near_angle(s.near_angle.value_or(CGAL::Tandem::internal::default_near_angle));
   if(s.near_direction && s.orthogonal_direction)
-    return share(
-      select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction))));
+    return select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction)));
   if(s.near_direction)
-    return share(select(list.near_direction(vector(*s.near_direction))));
+    return select(list.near_direction(vector(*s.near_direction)));
   if(s.orthogonal_direction)
-    return share(select(list.orthogonal_direction(vector(*s.orthogonal_direction))));
-  return share(select(list));
+    return select(list.orthogonal_direction(vector(*s.orthogonal_direction)));
+  return select(list);
 }
 
 namespace {
@@ -58,15 +61,14 @@ struct Joined_map {
 template <class Maps>
 std::vector<std::int32_t> labels_with(const Shapes& shapes, const Cloud& cloud, const Labeling& l, const Maps& maps)
 {
-  const Planar_shapes& known = shapes.data().shapes;
-  const CGAL::Tandem::Parameters& p = known.parameters();
+  const CGAL::Tandem::Parameters& p = shapes.parameters();
   const auto list = maps.maximum_distance(l.maximum_distance.value_or(p.maximum_distance))
                       .maximum_angle(l.maximum_angle.value_or(p.maximum_angle));
   if(l.shape_points.points == nullptr)
-    return CGAL::Tandem::label_points(known, rows_of(cloud), list);
-  const auto places = list.shape_points(Rows(Row(cloud.size), Row(cloud.size + l.shape_points.size)));
-  return l.reach ? CGAL::Tandem::label_points(known, rows_of(cloud), places.reach(*l.reach))
-                 : CGAL::Tandem::label_points(known, rows_of(cloud), places);
+    return CGAL::Tandem::label_points(shapes, rows_of(cloud), list);
+  const auto places = list.shape_points(Cloud_rows(Row(cloud.size), Row(cloud.size + l.shape_points.size)));
+  return l.reach ? CGAL::Tandem::label_points(shapes, rows_of(cloud), places.reach(*l.reach))
+                 : CGAL::Tandem::label_points(shapes, rows_of(cloud), places);
 }
 
 } // namespace

@@ -20,7 +20,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _labels, _normals, _number, _points, _rows, _switch, _tolerances
+from ._arguments import (_count, _direction, _directions, _labels, _normals, _number, _points, _rows, _set, _switch,
+                         _tolerances)
 from ._selection import _check_result, label_points, select_shapes
 from ._tandem import PlanarShapes, __version__
 
@@ -135,22 +136,18 @@ def detect_planes(
     rows, zeros = _points(points, ignore_zeros)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), zeros)
     settings = _tandem.default_settings()
-    settings.maximum_distance = _number("maximum_distance", maximum_distance)
-    settings.maximum_angle = _number("maximum_angle", maximum_angle)
-    settings.angle_tolerance = _number("angle_tolerance", angle_tolerance)
-    settings.maximum_offset = _number("maximum_offset", maximum_offset)
-    settings.minimum_region_size = _count("minimum_region_size", minimum_region_size)
-    settings.simplicity = _number("simplicity", simplicity)
-    settings.regularity = _number("regularity", regularity)
-    settings.surfel_size = _number("surfel_size", surfel_size)
-    settings.k_neighbors = _count("k_neighbors", k_neighbors)
-    settings.cell_size = _count("cell_size", cell_size)
-    settings.threads = _count("threads", threads)
+    _set(settings, _number, maximum_distance=maximum_distance, maximum_angle=maximum_angle,
+         angle_tolerance=angle_tolerance, maximum_offset=maximum_offset, simplicity=simplicity, regularity=regularity,
+         surfel_size=surfel_size)
+    _set(settings, _count, minimum_region_size=minimum_region_size, k_neighbors=k_neighbors, cell_size=cell_size,
+         threads=threads)
     if threads is not None and threads < 1:
         raise ValueError(f"threads is {threads}, allowed is 1 or more")
     settings.backend = _backend(backend)
-    _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
-    _set_directions(settings, fixed_directions, symmetry_direction)
+    _set(settings, _switch, regularize_parallelism=regularize_parallelism,
+         regularize_orthogonality=regularize_orthogonality, regularize_coplanarity=regularize_coplanarity)
+    _set(settings, _directions, fixed_directions=fixed_directions)
+    _set(settings, _direction, symmetry_direction=symmetry_direction)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be a function, not {type(progress).__name__}")
     return _tandem.detect_planes(rows, given, settings, progress)
@@ -220,12 +217,12 @@ def regularize_planes(
     """
     rows = _rows("points", points)
     settings = _tandem.default_settings()
-    settings.maximum_distance = _number("maximum_distance", maximum_distance)
-    settings.maximum_angle = _number("maximum_angle", maximum_angle)
-    settings.maximum_offset = _number("maximum_offset", maximum_offset)
-    settings.regularity = _number("regularity", regularity)
-    _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
-    _set_directions(settings, fixed_directions, symmetry_direction)
+    _set(settings, _number, maximum_distance=maximum_distance, maximum_angle=maximum_angle,
+         maximum_offset=maximum_offset, regularity=regularity)
+    _set(settings, _switch, regularize_parallelism=regularize_parallelism,
+         regularize_orthogonality=regularize_orthogonality, regularize_coplanarity=regularize_coplanarity)
+    _set(settings, _directions, fixed_directions=fixed_directions)
+    _set(settings, _direction, symmetry_direction=symmetry_direction)
     given = _rows("planes", planes, 4)
     return PlaneRelations(*_tandem.regularize_planes(rows, _labels(labels, len(rows), len(given)), given, settings))
 
@@ -253,19 +250,3 @@ def _backend(name: str) -> str:
     if not isinstance(name, str) or name not in names:
         raise ValueError(f"backend is {name!r}, allowed are {', '.join(names)}")
     return name
-
-
-def _set_relations(settings: _tandem.Settings, parallelism: bool, orthogonality: bool, coplanarity: bool) -> None:
-    settings.regularize_parallelism = _switch("regularize_parallelism", parallelism)
-    settings.regularize_orthogonality = _switch("regularize_orthogonality", orthogonality)
-    settings.regularize_coplanarity = _switch("regularize_coplanarity", coplanarity)
-
-
-def _set_directions(
-    settings: _tandem.Settings, fixed: Optional[npt.ArrayLike], symmetry: Optional[npt.ArrayLike]
-) -> None:
-    if fixed is not None:
-        settings.fixed_directions = [(d[0], d[1], d[2]) for d in _rows("fixed_directions", fixed).tolist()]
-    if symmetry is not None:
-        x, y, z = _rows("symmetry_direction", [symmetry])[0].tolist()
-        settings.symmetry_direction = (x, y, z)

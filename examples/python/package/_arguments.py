@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Optional, Tuple
+from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -105,3 +105,19 @@ def _switch(name: str, value: Any) -> bool:
         return bool(value)
     except ValueError as error:  # an array
         raise ValueError(f"{name} must be true or false: {error}") from None
+
+
+def _direction(name: str, value: Optional[npt.ArrayLike]) -> Optional[Tuple[float, float, float]]:
+    if value is None:
+        return None
+    x, y, z = _rows(name, [value])[0].tolist()
+    return x, y, z
+
+
+def _directions(name: str, values: Optional[npt.ArrayLike]) -> List[Tuple[float, float, float]]:
+    return [] if values is None else [(d[0], d[1], d[2]) for d in _rows(name, values).tolist()]
+
+
+def _set(arguments: Any, check: Callable[[str, Any], Any], **values: Any) -> None:
+    for name, value in values.items():
+        setattr(arguments, name, check(name, value))

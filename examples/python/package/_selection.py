@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Tuple
+from typing import List, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _normals, _number, _numbers, _rows, _tolerances
+from ._arguments import _count, _direction, _normals, _number, _numbers, _rows, _set, _tolerances
 from ._tandem import PlanarShapes
 
 
@@ -53,12 +53,9 @@ def select_shapes(
             raise ValueError("indices are not together with criteria: select twice")
         return _tandem.select_shapes(shapes, _indices(indices, len(shapes)))
     selection = _tandem.default_selection()
-    selection.largest = _count("largest", largest)
-    selection.minimum_area = _number("minimum_area", minimum_area)
-    selection.minimum_extent = _number("minimum_extent", minimum_extent)
-    selection.near_angle = _number("near_angle", near_angle)
-    selection.near_direction = _direction("near_direction", near_direction)
-    selection.orthogonal_direction = _direction("orthogonal_direction", orthogonal_direction)
+    _set(selection, _count, largest=largest)
+    _set(selection, _number, minimum_area=minimum_area, minimum_extent=minimum_extent, near_angle=near_angle)
+    _set(selection, _direction, near_direction=near_direction, orthogonal_direction=orthogonal_direction)
     return _tandem.select_shapes_by(shapes, selection)
 
 
@@ -98,9 +95,7 @@ def label_points(
     _check_result(shapes)
     rows = _rows("points", points)
     labeling = _tandem.default_labeling()
-    labeling.maximum_distance = _number("maximum_distance", maximum_distance)
-    labeling.maximum_angle = _number("maximum_angle", maximum_angle)
-    labeling.reach = _number("reach", reach)
+    _set(labeling, _number, maximum_distance=maximum_distance, maximum_angle=maximum_angle, reach=reach)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), 0)
     return _tandem.label_points(shapes, rows, given, labeling)
 
@@ -118,10 +113,3 @@ def _indices(values: npt.ArrayLike, shapes: int) -> List[int]:
         raise ValueError(f"indices must be a list of integers, or a truth value for each of the {shapes} shapes, but its "
                          f"shape is {array.shape}")
     return (np.flatnonzero(array) if array.dtype.kind == "b" else array).tolist()
-
-
-def _direction(name: str, value: Optional[npt.ArrayLike]) -> Optional[Tuple[float, float, float]]:
-    if value is None:
-        return None
-    x, y, z = _rows(name, [value])[0].tolist()
-    return x, y, z

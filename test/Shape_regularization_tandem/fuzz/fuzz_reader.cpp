@@ -95,22 +95,6 @@ bool is_point(const std::string& row)
   return bool(in >> x >> y >> z);
 }
 
-// First the word OFF and the numbers of points, faces and edges, on one row or on two; then points; then faces.
-void check_off(const std::vector<std::string>& rows, std::size_t points)
-{
-  std::string word;
-  long long announced = 0, faces = 0;
-  std::istringstream head(rows[0]);
-  const std::size_t first = head >> word >> announced >> faces ? 1 : 2;
-  if(first == 2)
-    std::istringstream(rows[1]) >> announced >> faces;
-  expect(announced == (long long)(points), "another number of points than the file announces");
-  expect(rows.size() >= first + points, "more points than rows");
-  for(std::size_t i = first; i < first + points; ++i)
-    expect(is_point(rows[i]), "a row in place of a point, or a point in place of another one");
-  expect(rows.size() >= first + points + std::size_t(faces < 0 ? 0 : faces), "faces in place of points");
-}
-
 // After names and the number of points, each row is a point. Otherwise labels would belong to other rows.
 void check_table(std::vector<std::string> rows, std::size_t points)
 {
@@ -146,8 +130,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t with_tolerance = read_with(settings);
   expect(with_tolerance == 0 || with_tolerance == count, "points depend on the tolerance");
   expect(double(count) * least_sizes.at(file.format) <= double(size + 1), "more points than the file has room for");
-  if(count > 0 && file.format == "off")
-    check_off(rows_of(bytes), count);
   if(count > 0 && file.format == "xyz")
     check_table(rows_of(bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? bytes.substr(3) : bytes),
                 count); // the mark of UTF-8

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from support import NOTHING, ply
+from support import NOTHING
 
 # --- The floor and two walls of a room, turned about the vertical, with noise
 
@@ -44,19 +44,6 @@ def ptx(points, scans=1, colors=""):
             text += f"{x:.6f} {y:.6f} {z:.6f} 0.5{colors}\n"
         text += f"0 0 0 0.5{colors}\n" * 50
     return text
-
-
-TYPES = {"short": "i2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8"}
-
-
-def typed_ply(points, types, scale=1, names="xyz", order="little"):
-    """The same points as a binary file and as text."""
-    columns = [(np.rint(scale * column) if TYPES[kind][0] in "iu" else column).astype(TYPES[kind])
-               for column, kind in zip(points.T, types)]
-    header = f"element vertex {len(points)}\n" + "".join(f"property {t} {n}\n" for t, n in zip(types, names))
-    rows = np.rec.fromarrays([c.astype(c.dtype.newbyteorder("<" if order == "little" else ">")) for c in columns])
-    text = "".join(" ".join(f"{x:.17g}" for x in row) + "\n" for row in zip(*columns))
-    return ply(header, kind=f"binary_{order}_endian").encode() + rows.tobytes(), ply(header, text)
 
 
 # --- What sensors and conversions make of a room
@@ -147,20 +134,13 @@ def read_las(data):
 
 
 def lzf(data):
-    result = bytearray()
-    i = 0
+    """In place of 16 or 8 bytes that repeat the 4 before them, their number and distance; else 7 bytes as they are."""
+    result, i = bytearray(), 0
     while i < len(data):
-        run = 1
-        while run < 264 and i + run < len(data) and i > 0 and data[i + run - 1] == data[i - 1]:
-            run += 1
-        run -= 1
-        if run >= 3:  # repeats the byte before
-            result += bytes([(run - 2) << 5, 0] if run < 9 else [7 << 5, run - 9, 0])
-            i += run
-        else:
-            piece = data[i:i + 7]
-            result += bytes([len(piece) - 1]) + piece
-            i += len(piece)
+        same = next((n for n in (16, 8) if i >= 4 and data[i:i + n] == (data[i - 4:i] * 4)[:n]), 0)
+        result += (bytes([7 << 5, 16 - 9, 3] if same == 16 else [6 << 5, 3]) if same else
+                   bytes([len(data[i:i + 7]) - 1]) + data[i:i + 7])
+        i += same or 7
     return bytes(result)
 
 
@@ -193,7 +173,7 @@ def pcd_of_each_kind(points):
 OPTIONS = "--maximum-distance 0.01 --minimum-region-size 100"
 TILES = ["corner.pts", "folder/Middle.XYZ", "folder/sub/seam.csv", "last.las"]
 OUTPUTS = ["corner.ply", "Middle.XYZ", "seam.csv", "last.las"]
-MEMBERS = r'"(input|hash|maximum_distance|points|assigned|shapes|planes|mean_distance|.*groups|.*pairs)":'
+MEMBERS = r'"(input|hash|source|minimum|maximum|ignored_zeros|maximum_distance|points|assigned|shapes|planes|mean_distance|.*groups|.*pairs)":'
 
 
 def hall():

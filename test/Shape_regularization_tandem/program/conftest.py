@@ -9,11 +9,6 @@ pytest.register_assert_rewrite("support", "clouds")
 from support import CLOUD, CUBE, PROGRAM, Program, ply  # noqa: E402
 
 
-def pytest_configure(config):
-    for line in ("browser: needs node and Chromium", "mpi: needs MPI", "package: installs, or builds other projects"):
-        config.addinivalue_line("markers", line)
-
-
 @pytest.fixture(scope="module")
 def p(request, tmp_path_factory):
     """The program in a folder of its own with the cube, and with what prepare() of the module makes there."""

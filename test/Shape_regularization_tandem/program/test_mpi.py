@@ -5,21 +5,20 @@ fails or is killed. TANDEM_MPIEXEC starts them."""
 
 import os
 import re
-import shutil
 
 import pytest
 from clouds import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
 from support import CLOUD, CUBE, HELP, NOTHING, PROGRAM, WARNS, pcd, ply, properties, table, words_of
 
 MPIEXEC = os.environ.get("TANDEM_MPIEXEC")
-pytestmark = [pytest.mark.mpi,
-              pytest.mark.skipif(not MPIEXEC or "mpirun" not in HELP, reason="the program was built without MPI")]
+pytestmark = pytest.mark.skipif(not MPIEXEC or "mpirun" not in HELP, reason="the program was built without MPI")
 ALL = " ".join(TILES)
 # Open MPI asks who wants it as root, or with more processes than processors.
 ENVIRONMENT = {**{f"OMPI_{name}": "1" for name in (
     "ALLOW_RUN_AS_ROOT", "ALLOW_RUN_AS_ROOT_CONFIRM", "MCA_rmaps_base_oversubscribe", "MCA_mpi_yield_when_idle")},
     "OMPI_MCA_hwloc_base_binding_policy": "none"}
-CLASSES = "class_corner.ply class_last.ply"
+CLASSES = ["class_corner.ply", "class_last.ply", "class_none.ply"]
+ZEROS = ["zeros.xyz", "folder/Middle.XYZ", "last.xyz"]
 SIGNALS = """rm -f rank* messages
 "$MPIEXEC" -n 3 sh -c 'echo $$ > rank${OMPI_COMM_WORLD_RANK:-$PMI_RANK}
   exec "$P" slow0.xyz slow1.xyz slow2.xyz --quiet --maximum-distance .5 --output-directory never --planes never.planes' \\
@@ -37,8 +36,9 @@ exit $code
 def prepare(p):
     write_tiles(p)
     tiles = {name: p.read(name) for name in ("corner.pts", "last.xyz")}
-    p.write({"class_none.ply": with_classes(""), "class_corner.ply": with_classes(tiles["corner.pts"]),
-             "class_last.ply": with_classes(tiles["last.xyz"]), "given.ply": ply(CLOUD, CUBE),
+    p.write({"class_none.ply": with_classes(""), "class_empty.ply": with_classes(""),
+             "class_corner.ply": with_classes(tiles["corner.pts"]), "class_last.ply": with_classes(tiles["last.xyz"]),
+             "given.ply": ply(CLOUD, CUBE),
              # Tiles of one shape are in several processes, which have viewpoints of their own.
              "corner.pcd": seen_from("4 1.5 2", tiles["corner.pts"]), "last.pcd": seen_from("4 -9 9", tiles["last.xyz"]),
              "zeros.xyz": tiles["corner.pts"] + 5 * "0 0 0\n", "signals.sh": SIGNALS,
@@ -56,11 +56,11 @@ def seen_from(place, rows):
 
 
 def ranks(p, n, code, pattern, arguments):
-    """What mpirun says of a failure comes with the one line of the program."""
-    return check(code, pattern, p.run([MPIEXEC, "-n", str(n), PROGRAM, *words_of(arguments)], ENVIRONMENT))
+    check(code, pattern, p.run([MPIEXEC, "-n", str(n), PROGRAM, *words_of(arguments)], ENVIRONMENT))
 
 
 def check(code, pattern, run):
+    """What mpirun says of a failure comes with the one line of the program."""
     status, out, err = run
     assert status == code and re.search(pattern, out + err, re.DOTALL), f"{status}, no {pattern}: {out}{err}"
     lines = re.findall("detect_planes: (?!warning: )[^\n]+\n", err)
@@ -69,32 +69,6 @@ def check(code, pattern, run):
 
 def outputs(folder):
     return f"--output-directory {folder} --planes {folder}/planes --report {folder}/report"
-
-
-def test_a_tile_without_points(p):
-    """It changes nothing, also where a process has no other."""
-    p(0, "hash", f"{CLASSES} {OPTIONS} --output-directory class_full")
-    for n in (1, 3):
-        ranks(p, n, 0, "warning: class_none.ply: has no points",
-              f"{CLASSES} class_none.ply {OPTIONS} --output-directory class_{n}")
-    for file in CLASSES.split():
-        assert p.is_same(f"class_full/{file}", f"class_1/{file}", f"class_3/{file}")
-    assert p.is_same("class_1/class_none.ply", "class_3/class_none.ply")
-    assert re.search("property [a-z]+ classification", p.read("class_3/class_none.ply"))
-    ranks(p, 2, 1, "none of the inputs has points", "class_none.ply class_1/class_none.ply --planes none.txt")
-    assert not p.has("none.txt")
-
-
-@table("inputs", [f"{ALL} --viewpoint 4,1.5,2", "corner.pcd folder/Middle.XYZ folder/sub/seam.csv last.pcd"])
-@table("oriented", ["", "--oriented"])
-def test_the_same_sides(p, inputs, oriented):
-    for n in (1, 3):
-        ranks(p, n, 0, "normals estimated, towards the viewpoint\n.*hash",
-              f"{inputs} {OPTIONS} {oriented} --output-directory sides_{n} --planes sides_{n}/planes")
-    names = [path.name for path in p.path("sides_1").iterdir()]
-    assert len(names) == 5 and all(p.is_same(f"sides_1/{name}", f"sides_3/{name}") for name in names)
-    for n in (1, 3):
-        shutil.rmtree(p.path(f"sides_{n}"))
 
 
 @pytest.fixture(scope="module")
@@ -116,16 +90,24 @@ def test_the_same_bytes(p, written, n, normals):
     check_same_results(p, f"one_{normals}", f"{n}_{normals}", names)
 
 
-@table("pattern, inputs, more, names", [
-    # Inputs that do not have the same
-    ("left out +normals, intensity, classification: not", "{} last.las", "", OUTPUTS),
-    # A part of the shapes, and of the points
-    ("selection +[12] of [0-9]+ shapes.*hash", "{}", "--near-direction 0,0,1 --largest 2", OUTPUTS[:-1])])
-def test_the_same_of_other_inputs(p, written, pattern, inputs, more, names):
-    run = f"{inputs.format(written)} {OPTIONS} {more} "
-    p(0, pattern, run + outputs("some"))
-    ranks(p, 3, 0, pattern, run + outputs("some_3"))
-    check_same_results(p, "some", "some_3", names)
+@table("pattern, inputs, names", [
+    # Inputs that do not have the same; a part of the shapes
+    ("left out +normals, intensity, classification: not", "{} last.las", OUTPUTS),
+    ("selection +[12] of [0-9]+ shapes.*hash", "{} --near-direction 0,0,1 --largest 2", OUTPUTS[:-1]),
+    # A tile without points, of which a process has no other
+    ("warning: class_none.ply: has no points", " ".join(CLASSES), CLASSES),
+    # The sides of planes, by one viewpoint or that of each input
+    ("normals estimated, towards the viewpoint\n.*hash", f"{ALL} --viewpoint 4,1.5,2 --oriented", OUTPUTS),
+    ("normals estimated, towards the viewpoint\n.*hash", "corner.pcd folder/Middle.XYZ folder/sub/seam.csv last.pcd",
+     ["corner.pcd", "Middle.XYZ", "seam.csv", "last.pcd"]),
+    # Tolerances of points; those at 0 0 0 are in one tile.
+    *(("; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)", f"{' '.join(ZEROS)} --ignore-zeros {option}",
+       [name[name.find("/") + 1:] for name in ZEROS])
+      for option in ("--noise '0.01 + 0.001*r' --viewpoint 4,1.5,2", "--maximum-distance auto-local"))])
+def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
+    for n in (1, 3):
+        ranks(p, n, 0, pattern, f"{inputs.format(written)} {'' if 'local' in inputs else OPTIONS} {outputs(f'some_{n}')}")
+    check_same_results(p, "some_1", "some_3", names)
 
 
 @table("n, code, pattern, arguments", [
@@ -134,6 +116,7 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, more, names):
     # One message, and no file
     (3, 1, "nothere.ply: no such file", f"{ALL} nothere.ply --output-directory none --planes none/planes"),
     (2, 2, "--threads is 0", f"{ALL} --threads 0 --output-directory none"),
+    (2, 1, "none of the inputs has points", "class_none.ply class_empty.ply"),
     *((2, 2, f"--{option.split()[0]} needs all points in one process", f"{ALL} --{option}") for option in (
         "output out.ply", "labels out.ply", "vg out.ply", "polygons out.ply", "shapes out.csv", "mesh out.ply",
         "view out.html", "by-plane", "planes-from 1", "minimum-area 1", "minimum-extent 1")),
@@ -156,19 +139,6 @@ def test_the_same_warnings(p):
     ranks(p, 3, 0, r"\Adetect_planes: warning: the maximum distance 1 is more than a tenth of the extent of the points, "
           r"7.9: [^\n]*\n\Z", run + "warned_3")
     assert p.json("warned")["warnings"] == p.json("warned_3")["warnings"] != []
-
-
-@table("option", ["--noise '0.01 + 0.001*r' --viewpoint 4,1.5,2", "--maximum-distance auto-local"])
-def test_the_same_tolerances(p, option):
-    """Of the report and of the planes. Points at 0 0 0 are in one tile."""
-    for n in (1, 3):
-        ranks(p, n, 0, "; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)",
-              f"zeros.xyz folder/Middle.XYZ last.xyz "
-              f"{option} --ignore-zeros --planes tolerances_{n}.planes --report tolerances_{n}.json")
-    assert p.is_same("tolerances_1.planes", "tolerances_3.planes")
-    first, second = (p.json(f"tolerances_{n}.json") for n in (1, 3))
-    assert first["tolerance"] == second["tolerance"] and first["tolerance"]
-    assert first["counts"]["ignored_zeros"] == second["counts"]["ignored_zeros"] == 5
 
 
 @table("signal", ["KILL", "INT", "TERM"])

@@ -31,12 +31,12 @@ def prepare(p):
 
 @table("before, after, command", [
     # What the shell has opened is not replaced.
-    ("old\n", "", f"{RUN} --quiet --planes /dev/stdout >> log"), ("", SUMMARY, f"{RUN} --planes /dev/stdout > log"),
+    ("", SUMMARY, f"{RUN} --planes /dev/stdout > log"),
     ("old\n", SUMMARY, f"{RUN} --planes log >> log"),
     ("old\nthree\n", "end\n", f"exec 3>> log; echo three >&3; {RUN} --quiet --planes /dev/fd/3; echo end >&3"),
     ("old\n", SUMMARY, f"ln -s /dev/stdout my_output; {RUN} --planes my_output >> log"),
     # Pipes
-    *(("", "", f"{RUN} --quiet --planes {name} | cat > log") for name in ("/dev/stdout", "/dev/fd/1")),
+    ("", "", f"{RUN} --quiet --planes /dev/fd/1 | cat > log"),
     ("", "", f"mkfifo fifo; cat fifo > log & {RUN} --quiet --planes fifo; wait"),
     ("", "", f"{{ {RUN} --quiet --planes /dev/fd/5 5>&1 >&2 | cat; }} > log")])  # as in a process substitution
 def test_opened_files(p, before, after, command):
@@ -48,7 +48,6 @@ def test_opened_files(p, before, after, command):
 @table("pattern, command", [
     (r"\A-?[0-9.]+[^\n]*\n\Z", f"{RUN} --planes /dev/stdout | head -1"),
     (f'"hash".*{SUMMARY}', f"{RUN} --planes /dev/stdout --report /dev/stdout | cat"),
-    (NOTHING, f"ln -s target link; {RUN} --quiet --planes link && cmp target planes && [ -L link ] && rm link"),
     (NOTHING, f"ln -s link2 link; mkdir sub; ln -s sub/new link2; {RUN} --quiet --planes link && cmp sub/new planes && "
      "[ -L link2 ] && cmp link planes && [ -L link ] && rm link"),
     (NOTHING, f"name=$(printf '%0250d' 7); {RUN} --quiet --planes $name && cmp $name planes")])
@@ -58,8 +57,7 @@ def test_names_of_outputs(p, pattern, command):
 
 test_no_dash = cases([
     *((f"--{option} is '-', must be the name of a file .that of standard output is /dev/stdout", f"cube.ply --{option} -")
-      for option in ("output", "labels", "planes", "vg", "report")),
-    *((f"--{option} is '-', must end in", f"cube.ply --{option} -") for option in ("polygons", "shapes", "mesh", "view")),
+      for option in ("output", "labels", "report")), ("--polygons is '-', must end in", "cube.ply --polygons -"),
     ("INPUT is '-', must be the name of a file", "- E")], 2, absent=["-"])
 
 
@@ -67,7 +65,6 @@ def test_links(p):
     p.path("to_nowhere").symlink_to("nowhere")
     p.path("LOOP").symlink_to("LOOP")
     p(2, "named twice", "cube.ply E --planes nowhere --labels to_nowhere")
-    p(1, "LOOP/y: cannot be written .Too many", "cube.ply E --planes LOOP/x --labels LOOP/y")
     p(1, "LOOP: cannot be written .Too many", "cube.ply E --planes LOOP")
     p(2, "named twice", "cube.ply E --planes LOOP/x --labels LOOP/./x")
     assert p.path("LOOP").is_symlink()
@@ -91,13 +88,12 @@ def test_modes(p):
 
 
 @table("code, arguments", [
-    (1, [b"no " + NAME]), (1, [NAME + b".doc"]), (2, [NAME + b".ply", "--output-directory", "."]),
-    (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
+    (1, [b"no " + NAME]), (1, ["cube.ply", "--output", NAME + b"/x.ply"]), (2, ["cube.ply", b"--" + NAME]),
     *((2, ["cube.ply", "--" + option, NAME]) for option in ("output", "classes", "columns", "fixed-direction", "threads")),
     (WARNS, ["cube.ply", b"none " + NAME + b".ply", "E"]), (0, [NAME + b".ply", "E", "--report", "names.json"])])
 def test_names_with_any_bytes(p, code, arguments):
     """None controls a terminal."""
-    for name, content in ((b"%s.ply", ply(CLOUD, CUBE)), (b"%s.doc", CUBE), (b"none %s.ply", ply(NO_POINTS))):
+    for name, content in ((b"%s.ply", ply(CLOUD, CUBE)), (b"none %s.ply", ply(NO_POINTS))):
         Path(os.fsdecode(bytes(p.folder) + b"/" + name % NAME)).write_text(content)
     text = p(code, "", arguments).encode(errors="surrogateescape")
     assert not re.search(b"[\033\007\233]", text), "control characters"
@@ -107,8 +103,8 @@ def test_names_with_any_bytes(p, code, arguments):
 
 
 # Bytes of no character: continuations, forms that are too long, surrogates, beyond the last one, cut off
-NO_TEXT = (b"\x80 \xff \xc0\x81 \xc1\xbf \xe0\x9f\xbf \xed\xa0\x80 \xf0\x8f\xbf\xbf \xf4\x90\x80\x80 \xf5\x80\x80\x80 \xc3 "
-           b"\xe2\x82 \xf0\x9f\x98")
+NO_TEXT = (b"\x80 \xff \xc0\x81 \xe0\x9f\xbf \xed\xa0\x80 \xf0\x8f\xbf\xbf "
+           b"\xf4\x90\x80\x80 \xf5\x80\x80\x80 \xe2\x82 \xf0\x9f\x98")
 
 
 @table("name, shown", [
@@ -123,7 +119,6 @@ def test_what_is_shown_of_names(p, name, shown):
 @table("pattern, command", [
     (r"\A1 detect_planes: interrupted[^\n]*\n\Z", "start 100 $files; kill -HUP $pid; end"),
     (r"\A130\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -INT $pid; end"),
-    (r"\A143\n\Z", "start 1000 $files; kill -INT $pid; sleep .1; kill -TERM $pid; end"),
     (r"\A152\n\Z", "ulimit -c 0; start 1000 $files; kill -XCPU $pid; end"),
     (r"\A130\n\Z",
      "parts=1 folder=new/d; start 1000 --output-directory new/d --planes p; kill -INT $pid; sleep .1; kill -INT $pid; end"),

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(message_without_memory)
            buffer.str());
 }
 
-// --- Help and messages do not offer what the program was built without, whatever is missing; the options stay known, so
+// --- Help and messages do not offer what the program was built without; the options stay known, so
 // that a run can say why they are refused.
 
 std::string text_of(std::vector<const char*> words, const program::Built_with& built)
@@ -100,32 +100,17 @@ std::string text_of(std::vector<const char*> words, const program::Built_with& b
 
 BOOST_AUTO_TEST_CASE(offers)
 {
-  using Built_with = program::Built_with;
-  struct Offer {
-    bool Built_with::*part;
-    const char* option; // --help, or one with a value that is not known
-    const char* word;
+  const program::Built_with all, nothing = {false, false, false, false, false, false};
+  const auto check = [&](const char* option, const char* word) {
+    CHECK_AT(has(text_of({"cloud.ply", option}, all), word), word);
+    CHECK_AT(!has(text_of({"cloud.ply", option}, nothing), word), word);
   };
-  const Offer all[] = {{&Built_with::tbb, "--help", "sequential, parallel"},
-                       {&Built_with::cuda, "--help", "cuda"},
-                       {&Built_with::mpi, "--help", "mpirun"},
-                       {&Built_with::mpi, "--help", "of each process"},
-                       {&Built_with::mpi, "--help", "processes"},
-                       {&Built_with::gzip, "--help", ".gz"},
-                       {&Built_with::laszip, "--help", ".laz"},
-                       {&Built_with::view, "--help", "--view "},
-                       {&Built_with::view, "--help", "browser"},
-                       {&Built_with::tbb, "--backend=foo", "parallel"},
-                       {&Built_with::cuda, "--backend=foo", "cuda"},
-                       {&Built_with::laszip, "--output=a.foo", ".laz"}};
-  Built_with nothing;
-  for(const Offer& offer : all) {
-    Built_with others;
-    others.*offer.part = nothing.*offer.part = false;
-    const std::vector<const char*> words = {"cloud.ply", offer.option};
-    CHECK_AT(has(text_of(words, {}), offer.word), offer.word);
-    CHECK_AT(!has(text_of(words, others), offer.word) && !has(text_of(words, nothing), offer.word), offer.word);
-  }
+  for(const char* word :
+      {"sequential, parallel", "cuda", "mpirun", "of each process", "processes", ".gz", ".laz", "--view ", "browser"})
+    check("--help", word);
+  check("--backend=foo", "parallel");
+  check("--backend=foo", "cuda");
+  check("--output=a.foo", ".laz");
   CHECK(text_of({"cloud.ply", "--view=v.html"}, nothing) == text_of({"--help"}, nothing));
 }
 
@@ -134,17 +119,14 @@ BOOST_AUTO_TEST_CASE(offers)
 
 BOOST_AUTO_TEST_CASE(shares_of_files)
 {
-  using Shares = std::vector<int>;
   CHECK(program::share_files({}, 3).empty());
-  CHECK(program::share_files({5, 7, 6}, 5) == Shares({0, 2, 4}));
-  CHECK(program::share_files({10, 30, 20, 10}, 2) == Shares({0, 0, 1, 1}));
-  CHECK(program::share_files({0, 0, 0, 0}, 2) == Shares({0, 0, 1, 1})); // not there
+  CHECK(program::share_files({0, 0, 0, 0}, 2) == std::vector<int>({0, 0, 1, 1})); // not there
   std::vector<std::uint64_t> bytes;
   for(std::uint64_t i = 0; i < 100; ++i)
     bytes.push_back(1 + i * 7919 % 1000 * (i % 11 == 0 ? 1000 : 1));
   const double sum = double(std::accumulate(bytes.begin(), bytes.end(), std::uint64_t(0)));
   for(int ranks = 1; ranks < 120; ranks += 7) {
-    const Shares rank_of = program::share_files(bytes, ranks);
+    const std::vector<int> rank_of = program::share_files(bytes, ranks);
     CHECK(std::is_sorted(rank_of.begin(), rank_of.end()));
     std::vector<double> load(std::size_t(ranks), 0);
     for(std::size_t file = 0; file < bytes.size(); ++file)
@@ -173,28 +155,22 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros)
   CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
 }
 
-// Another rank has measured this.
+// Another rank has measured .25.
 struct Two_ranks : program::Ranks {
-  explicit Two_ranks(double other) : other(other) {}
   int size() const override { return 2; }
-  double largest(double own) const override { return (std::max)(own, -other); }
-  double other;
+  double largest(double own) const override { return (std::max)(own, -.25); }
 };
 
 BOOST_AUTO_TEST_CASE(share_and_noise)
 {
+  using Statistics = CGAL::Tandem::Statistics;
   check_share(nullptr);
-  check_share(&CGAL::Tandem::Statistics::number_of_far_points);
-  check_share(&CGAL::Tandem::Statistics::number_of_ignored_normals);
-  check_share(&CGAL::Tandem::Statistics::number_of_ignored_tolerances);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto check = [&](const auto& measure, double alone) {
-    CHECK(program::smallest_noise(measure, Two_ranks(infinity)) == alone);
-    CHECK(program::smallest_noise(measure, Two_ranks(.25)) == .25);
-  };
-  check([] { return .5; }, .5);
-  check([]() -> double { throw std::bad_alloc(); }, infinity); // it goes on, and takes part in what all ranks do
-  check([] { return 0.; }, infinity);                          // all points are one
+  for(auto zeros : {&Statistics::number_of_far_points, &Statistics::number_of_ignored_normals,
+                    &Statistics::number_of_ignored_tolerances})
+    check_share(zeros);
+  CHECK(program::smallest_noise([] { return .125; }, Two_ranks()) == .125);
+  // It goes on, and takes part in what all ranks do.
+  CHECK(program::smallest_noise([]() -> double { throw std::bad_alloc(); }, Two_ranks()) == .25);
 }
 
 // --- The points of the page: one of every `stride` points of each shape, not always the same one, none twice.

@@ -6,7 +6,7 @@
 import re
 
 import numpy as np
-from support import HAS_VIEW, NOTHING, WARNS, XYZ, cases, off, ply, table
+from support import HAS_VIEW, NOTHING, WARNS, cases, off, table
 
 OPTIONS = "E --minimum-region-size 100"
 PARTS = f"parts.xyz {OPTIONS}"
@@ -33,21 +33,16 @@ def prepare(p):
     rows = ["{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n".format(*row) for row in parts()]
     low = [row for row in rows if float(row.split()[0]) <= 0.1]
     names = "x y z nx ny nz\n"
-    square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
     p.write({"parts.xyz": names + "".join(rows), "low.xyz": names + "".join(low),
              "nan.xyz": names + "".join(rows) + "nan 0 0 0 0 1\n",
-             "square.off": off(square, "4 1 0"),
-             "square.ply": ply("element vertex 4\n" + XYZ + "element face 1\nproperty list uchar int vertex_indices\n",
-                               square)})
+             "square.off": off("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "4 1 0")})
 
 
 @table("sizes, options", [
     ([576, 480, 384, 312], ""), ([576], "--largest 1"), ([576, 480, 384], "--largest 3"),
     ([576, 480, 384, 312], "--largest 9"), ([576], "--near-direction 0,0,-2"), ([576], "--near-direction horizontal"),
-    ([480, 384], "--near-direction vertical"), ([480], "--near-direction vertical,4"),
-    ([480, 384, 312], "--near-direction vertical,46"), ([576, 312], "--near-direction horizontal,46"),
-    ([312], "--near-direction '-1,0,1, 1'"), ([480], "--largest 1 --near-direction vertical"),
-    ([576, 480], "--minimum-area 0.018"), ([576, 480, 384], "--minimum-area 0.0145"),
+    ([480, 384], "--near-direction vertical"), ([480, 384, 312], "--near-direction vertical,46"),
+    ([312], "--near-direction '-1,0,1, 1'"), ([576, 480], "--minimum-area 0.018"),
     ([480], "--largest 1 --minimum-area 0.0145 --near-direction vertical"),
     ([576, 480, 384, 312], "--minimum-extent 0.16"),
     # The direction of symmetry is upward.
@@ -55,8 +50,7 @@ def prepare(p):
     ([576, 384, 312], "--near-direction vertical --symmetry-direction 0,1,0")])
 def test_sizes(p, sizes, options):
     """The numbers of points of the shapes by --labels, in their order, and what the report says."""
-    p(0, NOTHING,
-      f"{PARTS} {options} --labels l.bin --planes p.txt --report r.json --output o.ply --polygons o.obj --quiet")
+    p(0, NOTHING, f"{PARTS} {options} --labels l.bin --planes p.txt --report r.json --output o.ply --polygons o.obj --quiet")
     assigned = sum(sizes)
     assert p.sizes("l.bin") == {**({-1: TOTAL - assigned} if assigned < TOTAL else {}), **dict(enumerate(sizes))}
     report = p.json("r.json")
@@ -72,10 +66,7 @@ test_summary = cases([
     ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes.*67[0-9.]* % of shapes that "
      "were not selected", f"{PARTS} --largest 1"),
     ("selection +1 of 4 shapes.*--by-plane --largest 1", f"{PARTS} --by-plane --largest 1"),
-    ("selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane.", f"{PARTS} --by-plane"),
-    ("--minimum-area 0.020123456789 --minimum-extent 0.16",
-     f"{PARTS} --minimum-area 0.020123456789 --minimum-extent 0.16")],
-    0)
+    ("--minimum-area 0.0201234 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.0201234 --minimum-extent 0.16")], 0)
 
 
 def test_outputs_of_what_is_left(p):
@@ -119,14 +110,12 @@ def test_crop(p):
     p(0, "points +1753", f"nan.xyz {OPTIONS}")
     p(1, "nan.xyz: has no points in the box of --crop: its own is 0.007,0.007,0,2.06[0-9]*,1,0.168",
       f"nan.xyz {OPTIONS} --crop 5,5,5,6,6,6")
-    p(WARNS, "warning: low.xyz: has no points in the box of --crop: its own is 0.007",
-      "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
+    p(WARNS, "warning: low.xyz: has no points in the box of --crop: its own", "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
 
 
-@table("mesh", ["square.off", "square.ply"])
-def test_crop_of_meshes(p, mesh):
+def test_crop_of_meshes(p):
     """Points on the faces, not the corners"""
-    p(0, "points +[23][0-9][0-9], normals given.*shapes +1 in", f"{mesh} --sample 1000 --crop 0.25,0.25,-1,0.75,0.75,1 "
+    p(0, "points +[23][0-9][0-9], normals given.*shapes +1 in", "square.off --sample 1000 --crop 0.25,0.25,-1,0.75,0.75,1 "
       "--maximum-distance .01 --output o.csv")
     csv = p.csv("o.csv")
     assert all(((csv[name] >= .25) & (csv[name] <= .75)).all() for name in "xy")

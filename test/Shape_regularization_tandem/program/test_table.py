@@ -33,7 +33,7 @@ CLOUD = np.concatenate(list(points_and_normals()))
 
 def prepare(p):
     p.write({"faces.xyz": text_of(CLOUD)})
-    p(0, NOTHING, f"{RUN} --labels plain.labels --vg groups.vg")
+    p(0, NOTHING, f"{RUN} --labels plain.labels")
     for kind in ("ply", "pcd", "txt", "csv", "las"):
         p(0, NOTHING, f"{RUN} --output plain.{kind}")
 
@@ -84,15 +84,10 @@ def test_coplanar_shapes_as_one(p):
     assert set(np.loadtxt(p.path("t.txt"))[:, -1]) - {-1} == {0, 1, 2}
     counts = p.json("t.json")["counts"]
     assert counts["shapes"] == counts["planes"] == 3
-    p(0, NOTHING, f"{RUN} --vg by_plane.vg --vg-by-plane")  # as in 0.2.0
-    assert p.lines("by_plane.vg", "num_groups") + p.lines("groups.vg", "num_groups") == ["num_groups: 3", "num_groups: 4"]
 
 
 def test_tables_of_other_runs(p):
     p(1, "cannot be written", "faces.xyz --shapes missing/a.csv")
-    p(0, NOTHING, f"{RUN} --shapes alone.CSV")
-    p(0, NOTHING, f"{RUN} --shapes all.csv --polygons all.ply")
-    assert p.is_same("alone.CSV", "all.csv")
     p(WARNS, "", "faces.xyz --maximum-distance 0.01 --minimum-region-size 3000 --quiet --shapes none.csv")
     assert re.fullmatch("shape,points,a,[^\n]*,coplanar_group\n", p.read("none.csv"))
     # Upward is the symmetry direction: the roof is level then.
@@ -120,5 +115,4 @@ test_refused_before_the_cloud_is_read = cases([(pattern, f"missing.ply {argument
        f"--output a.ply --label-property {name}")
       for name in ("x", "NX", "normal_x", "Red", "rgb", "scalar_Intensity", "classification", "tolerance", "gps_time")),
     ("--label-property needs --output or --output-directory", "--label-property a"),
-    ("--shapes is 'a.txt', must end in .csv", "--shapes a.txt"),
-    ("the file a.csv is named twice", "--shapes a.csv --output a.csv"))], 2, absent=["a.csv", "a.ply"])
+    ("--shapes is 'a.txt', must end in .csv", "--shapes a.txt"))], 2, absent=["a.ply"])

@@ -34,7 +34,6 @@ def prepare(p):
              "units.csv": "Point,East [m],North [m],Height (m)\n" + rows_of(room, ",", lambda i: f"P{i},"),
              "short.txt": "E N Z\n" + rows_of(room), "degrees.csv": "lon,lat,height\n" + rows_of(room, ","),
              "strange.csv": "rechts,hoch,auf\n" + rows_of(room, ","), "points.asc": rows_of(room),
-             "twice.csv": "rechts,hoch,auf\n" * 2 + rows_of(room, ","),
              "normals.xyzn": rows_of(room, after=lambda i: " 0 0 0"),
              "colors.xyzrgb": rows_of(room, after=lambda i: " 0.25 0.5 1"),
              "commas.csv": rows_of(room, ";").replace(".", ","),
@@ -47,10 +46,8 @@ def prepare(p):
 # --- Commas
 
 
-@table("row", ["1,5 2,5 3,5", "1,5\t2,5\t3,5", " -1,5  2,5  3,5 ", "1,5 2 3", "1 2 3,5", "1,5 2,5 3,5 0 0 1",
-               "1,5;2,5;3,5", "1,5, 2,5, 3,5", "1,5 ,2,5 ,3,5", "1,05,2,5,3,5", "1.234,5;2;3", "1.234,5 2.345,6 3.456,7",
-               "1,234.5 2,345.6 3,456.7", "1,234.5\t2\t3", "1,034.5,2,345.6,3,456.7", "1 234,5;2 345,6;3 456,7",
-               "1,234,567.5 2 3"])
+@table("row", ["1,5 2,5 3,5", " -1,5\t2\t3 ", "1 2 3,5", "1,5;2,5;3,5", "1,5, 2,5, 3,5", "1,5 ,2,5 ,3,5", "1,05,2,5,3,5",
+               "1.234,5;2;3", "1,234.5 2,345.6 3,456.7", "1,034.5,2,345.6,3,456.7", "1 234,5;2 345,6;3 456,7"])
 def test_commas_within_numbers(p, row):
     """The first row, a later one, one below names, and one whose columns are named."""
     for text, number, more in ((f"{row}\n{row}\n", 1, ""), (f"0.5 1 2\n\n# comment\n{row}\n", 4, ""),
@@ -89,31 +86,23 @@ test_refused = refused_files([
     ("zero.csv", "1,05,2,5,3,5\n",
      "row 1 has a number with a leading 0 behind a comma, .*write numbers with a decimal point"),
     # More values than names, or another number of them in each row
-    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "row 2 has more than 3 values.*with a decimal point"),
     ("names.csv", "x,y,z\n1,5,2,5,3,5\n",
      "row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _.", NAMED),
     ("ragged.csv", RAGGED, "row 1 has more than 3 values", NAMED),
     ("ragged.csv", RAGGED, "row 1 has more than 5 values", "--columns 'x _ y z _'"),
     ("ragged.csv", RAGGED, "row 2 has 5 values instead of 6.*with a decimal point"),
-    ("more.pcd", PCD_ROWS + "0 0 0\n0 0 0 1\n", "row 7 has more than 3 values"),
     ("less.pcd", PCD_ROWS + "0 0 0\n0.25 0.25\n", "row 7 has 2 values instead of 3"),
     ("less.xyz", BARE + "1 2\n", "row 1729 has 2 values instead of 3"),
-    ("more.xyz", BARE + "1 2 3 4\n", "row 1729 has more than 3 values"),
     ("word.xyz", BARE + "1 2 three\n", "row 1729 has 'three' where the number z is expected"),
-    ("comma.csv", "1,5;2,5;3,5\n", "row 1 is neither a point.*with a decimal point"),
     # With --decimal-comma
     *(("points.txt", f"1;2;3\n{row}\n",
        "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor", "--decimal-comma")
       for row in ("1.234,5;2;3", "1.5;2,5;3", "1 2.25 3", "1.5,2.5,3.5")),
-    *(("many.txt", f"1;2;3\n{row}\n", "row 2 has ", "--decimal-comma")
-      for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
     ("commas.csv", None, "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
     ("commas.txt", None, "row 2 .*or give --decimal-comma.", NAMED),
     # Names and extensions
     ("strange.csv", None, "row 1 is a line of names that do not tell x, y and z .name the columns by --columns.\n"),
-    ("twice.csv", None, "row 2 is a line of names", NAMED),
     ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., and no table"),
-    ("raster.asc", RASTER, "is a raster of ESRI", NAMED),
     ("cloud.doc", "1 2 3\n", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
 
 
@@ -122,19 +111,14 @@ test_refused = refused_files([
     *(("x y z", rows, "") for rows in ("1,2,3\n4,5,6\n", "1.5, 2.5, 3.5\n4, 5,6 ,\n", "1.5 2.5 3.5\n4 ,, 5\n",
                                        "1;2.5; 3\r\n4; 5;6;\r\n")),
     *(("x y z r g b", rows, "") for rows in (
-        "1,-5,2,5,3,5\n0,10,20,0,0,0\n", "1,5,2,5,3,5\n0,.5,20,0,0,0\n", "x,y,z,r,g,b\n1,5,2,5,3,5\n",
-        "1;5;2;500;3;5\n0;10;20;0;0;0\n", "1,5,2.5,500,3,5\n0,10,20,0,0,0\n",
-        "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n")),
-    ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"), ("x y z", "1 2 3 4\n", NAMED),
-    ("x y z", "1;2;3;4\n", NAMED),
-    ("_ x y z", "scan 05,1,2,3\nscan 06,1,2,3\n", "--columns '_ x y z'"),
-    ("x y z _", "1,2,3,05\n1,2,3,06\n", "--columns 'x y z _'"),
-    ("x _ y z _ _", "1,0,2,3,4,5,\n", "--columns 'x _ y z _ _'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
+        "1,-5,2,5,3,5\n0,10,20,0,0,0\n", "x,y,z,r,g,b\n1,5,2,5,3,5\n", "1;5;2;500;3;5\n0;10;20;0;0;0\n",
+        "1,5,2.5,500,3,5\n0,10,20,0,0,0\n", "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n")),
+    ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"), ("x y z", "1;2;3;4\n", NAMED),
+    ("_ x y z", "scan 05,1,2,3\nscan 06,1,2,3\n", "--columns '_ x y z'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
     # x, y and z are never others where a file has them.
     ("_ x y z", "height,x,y,z\n9,1,2,3\n9,2,2,3\n9,3,4,3\n", ""),
     # Decimal commas
     ("x y z", "1,5, 2,5, 3,5\n1,5, 2,5, 4,5\n", "--decimal-comma"),
-    ("z y x", "# z, y, x\n1,5;2;3\n1;2;3,25\n", "--decimal-comma"),
     ("x y z _", "X;Y;Z;code 1.2\n1,5;2;3;a.1\n1,5;2;4;b\n", "--decimal-comma")])
 def test_columns(p, columns, rows, more):
     """Few points have no shape, which is the only warning."""
@@ -167,15 +151,13 @@ def test_tables_with_the_same_result(p):
 
 
 test_other_tables = cases([
-    (0, "columns +x y z intensity\n", "numbered.xyz --columns 'x y z intensity'"),
     (0, "columns +x y z intensity\n", "raster.xyz --maximum-distance .02"),
     (0, "normals estimated\n +columns +x y z nx ny nz\n", "normals.xyzn"),  # all of them are zero
     (2, "--decimal-comma is for text tables .* and .ptx", "cube.ply --decimal-comma")])
 
 
 def test_warnings(p):
-    for more in ("", NAMED):
-        p.warns(f"degrees.csv {more}", "degrees.csv: x and y are columns of longitude and latitude")
+    p.warns("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so project")
     p.warns("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001 goes on otherwise")
 
 
@@ -187,11 +169,11 @@ def test_carriage_returns(p, kind):
     text = PLAIN[kind]
     lines = text.split("\n")
     lines[999] = re.sub(r"^(\S+ \S+) ", r"\1" + "\r", lines[999])  # of a row of the points
-    files = {"crlf": text.replace("\n", "\r\n"), "cr": text.replace("\n", "\r"), "note": "# comment\r" + text,
-             "row": "\n".join(lines), "zero": "\n".join(lines[:20]) + "\n\0" + "\n".join(lines[20:])}
+    files = {"crlf": text.replace("\n", "\r\n"), "cr": text.replace("\n", "\r"), "row": "\n".join(lines),
+             "zero": "\n".join(lines[:20]) + "\n\0" + "\n".join(lines[20:])}
     p.write({f"{name}.{kind}": content for name, content in files.items()})
     p(0, f"points +{N}", f"crlf.{kind} E")
-    for name, row in (("cr", "1"), ("note", "1"), ("row", "[0-9]+ (of 'vertex' )?")):
+    for name, row in (("cr", "1"), ("row", "[0-9]+ (of 'vertex' )?")):
         p(1, f"{name}.{kind}: row {row} ?ends in a carriage return alone", f"{name}.{kind}")
     if kind != "ply":  # a byte 0, as of UTF-16: the message is whole
         p(1, f"zero.{kind}: row 21 has a byte 0, which no text has but one of UTF-16", f"zero.{kind}")
@@ -201,9 +183,8 @@ LIMIT = "more than 65536 bytes, the limit of a"
 
 
 @table("row, name, text", [
-    ("row 1", "endless.xyz", ""), ("row 3", "endless.csv", "0 0 0\n1 0 0\n0 1 0"),
-    ("row 2", "endless.xyz", "0 0 0\n# comment"),
-    ("row 1", "head.off", ""), ("row 2", "count.off", "OFF\n1"), ("row 4", "rows.off", "OFF\n2 0 0\n0 0 0\n1 0 0"),
+    ("row 3", "endless.csv", "0 0 0\n1 0 0\n0 1 0"), ("row 2", "endless.xyz", "0 0 0\n# comment"),
+    ("row 2", "count.off", "OFF\n1"), ("row 4", "rows.off", "OFF\n2 0 0\n0 0 0\n1 0 0"),
     ("row 4", "face.off", "OFF\n1 1 0\n0 0 0\n1 0"), ("row 3", "note.ply", "ply\nformat ascii 1.0\ncomment"),
     ("row 2 of 'vertex'", "rows.ply", ply(TWO, "0 0 0\n1 0 0")), ("row 1 of 'strip'", "strip.ply", ply(STRIP, BARE + "1 ")),
     ("row 3", "size.pcd", "# comment\nFIELDS x y z\nSIZE 4"), ("row 7", "rows.pcd", PCD_ROWS + "0 0 0\n1 0 0")])

@@ -39,23 +39,19 @@ def test_what_is_written_is_read_again(p):
     p(0, "left out +normals", f"new/one/corner.ply new/one/last.las {OPTIONS} --colors shape --output-directory new/two")
     p(0, NOTHING, f"new/one/last.las {OPTIONS} --output-directory new/two --quiet")
     assert p.is_same("new/one/last.las", "new/two/last.las")
-    p(0, NOTHING, f"folder/Middle.XYZ {OPTIONS} --output-directory new/two --output middle.xyz --quiet")
-    assert p.is_same("middle.xyz", "new/two/Middle.XYZ")
     if HAS_GZIP:
-        p(0, NOTHING, f"folder/Middle.XYZ.gz {OPTIONS} --output-directory new/three --quiet")
+        p(0, NOTHING, f"folder/Middle.XYZ.gz {OPTIONS} --output-directory new/three --output middle.xyz --quiet")
         assert p.is_same("middle.xyz", "new/three/Middle.XYZ")
 
 
 def test_a_tile_without_points(p):
     """It has an output without points, and changes nothing."""
     run = f"{OPTIONS} --output-directory with_empty"
-    text = p(WARNS, "warning: empty.ply: has no points\n", f"empty.ply {ALL} {run}")
-    assert "normals estimated" in text
+    assert "normals estimated" in p(WARNS, "warning: empty.ply: has no points\n", f"empty.ply {ALL} {run}")
     for name in OUTPUTS:
         assert p.is_same(f"new/one/{name}", f"with_empty/{name}")
     p(1, "with_empty/empty.ply: has no points", "with_empty/empty.ply")
     p(WARNS, "warning: last.las: has no points of the --classes", f"last.las classes.csv --classes 6 {run}")
-    p(1, "with_empty/last.las: has no points", "with_empty/last.las")
     p.shell(0, "warning: none.ply: has no points\n.*none of the inputs has points\n.*exit 1",
             "$P empty.ply none.ply --output-directory out 2>&1 || echo exit $?")
     assert not p.has("out")
@@ -63,8 +59,8 @@ def test_a_tile_without_points(p):
 
 IS_INPUT = "--output-directory is the folder of {}. take another folder"
 INTO_INPUT = [
-    *((f"{place}/last.{kind}", folder) for place, kind in (("folder", "las"), ("link", "pts"), ("link/../folder", "las"))
-      for folder in ("folder/sub/..", "./folder/", "link", "link/")),
+    *((f"{place}/last.{kind}", folder) for place, kind in (("folder", "las"), ("link", "pts"))
+      for folder in ("folder/sub/..", "./folder/", "link/")),
     ("linked/a.las", "linked"), ("linked/a.las", "folder"), *HAS_GZIP * [("zipped/last.las.gz", "zipped")],
     # By names through folders that are not there yet, which the run would make; and through those that lead elsewhere
     *(("folder/last.pts", folder) for folder in (
@@ -74,8 +70,7 @@ test_refused_names = cases([
     *((IS_INPUT.format(name), f"corner.pts {name} --output-directory {folder}") for name, folder in INTO_INPUT),
     ("last.las and folder/last.las would both become out/last.las", "last.las folder/last.las --output-directory out"),
     ("corner.pts and corner.ply would both become out/corner.ply", "corner.pts corner.ply --output-directory out"),
-    ("out/last.las is named twice", "last.las --output-directory out --labels out/last.las"),
-    ("--output-directory is '-'", "last.las --output-directory -")], 2,
+    ("out/last.las is named twice", "last.las --output-directory out --labels out/last.las")], 2,
     absent=["out", "folder/nn", "folder/n", "folder/sub/n", "nn"])
 
 
@@ -92,8 +87,6 @@ def test_other_names(p):
     ("taken/last.las: is a directory", f"last.las corner.pts {OPTIONS} --output-directory taken"),
     ("nothere.las: no such file", "corner.pts nothere.las --output-directory out"),
     ("no/planes: cannot be written", f"last.las {OPTIONS} --output-directory made/one/two --planes no/planes"),
-    ("--maximum-distance is 1e-09 while the extent", "last.las --output-directory made/one --maximum-distance 1e-9"),
-    ("last.las/two: cannot be made .Not a directory", "last.las --output-directory last.las/two"),
     *(("/dev/full: cannot be written completely", f"last.las {OPTIONS} --output-directory {folder} --report /dev/full")
       for folder in ("made/one/two", "taken/one"))])
 def test_a_run_that_fails_leaves_no_folder(p, pattern, arguments):

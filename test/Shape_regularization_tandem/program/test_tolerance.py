@@ -24,7 +24,7 @@ BOUND = "--viewpoint 0,0,0"
 def prepare(p):
     seen_from = "VIEWPOINT {} 1 0 0 0\n"
     near = [(3, 4 + i / 1e7, j / 1e7) for i in range(40) for j in range(40)]
-    p.write({"bare.xyz": text_of(WITH_SIGMA), "plain.xyz": BARE, "near.xyz": text_of(near),
+    p.write({"bare.xyz": text_of(WITH_SIGMA), "plain.xyz": BARE, "near.xyz": text_of(near), "zero.xyz": "0 0 0\n" * 3,
              "named.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA),
              "second.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA + (7, 0, 0, 0)),
              "named.csv": "X,Y,Z,sigma\n" + text_of(WITH_SIGMA, ","),
@@ -72,20 +72,17 @@ def test_extra_bytes_of_las(p):
       "out.las --tolerance-column sigma")
 
 
-NO_NOISE = ("+", "0", "r - r", "1 2", "r^3", "r*r*r", "r^", "2*", "1e999", "(r)", "0,5", "nan", "a + b*r", "r^-1",
-            "r/2", "2 r 3")
+NO_NOISE = ("+", "r - r", "1 2", "r*r*r", "r^", "2*", "1e999", "(r)", "nan", "a + b*r", "r^-1", "2 r 3")
 test_options = cases([
     (0, "; ignored: 24 without a tolerance\n.*tolerances  0.003906 to 0.007812, by column sigma\n.*shapes +3 in",
      "cloud.ply --tolerance-column sigma"),
-    *((1, f"cloud.ply: has no property '{name}', which --tolerance-column names; it has other, sigma\n",
-       f"cloud.ply --tolerance-column '{name}'") for name in ("error", "_", " ", "si")),
+    (1, "cloud.ply: has no property 'si', which --tolerance-column names; it has other, sigma\n",
+     "cloud.ply --tolerance-column si"),
     (1, "cloud.pcd: has no field 'error', .* it has x, y, z, other, Sigma\n", "cloud.pcd --tolerance-column error"),
     (1, "named.csv: has no column 'error', .* it has X, Y, Z, sigma\n", "named.csv --tolerance-column error"),
     (1, "named.csv: the column 'z' of --tolerance-column is a coordinate", "named.csv --tolerance-column z"),
     (1, "bare.xyz: has no line of names, .*--columns names them", "bare.xyz --tolerance-column sigma"),
-    *((2, f": --columns has no '{name}', which --tolerance-column names",
-       f"bare.xyz --columns 'x y z _' --tolerance-column {name}") for name in ("sigma", "_")),
-    (2, ": --columns has 'error', must be of", "bare.xyz --columns 'x y z error' --tolerance-column sigma"),
+    (2, ": --columns has no 'sigma', which --tolerance-column", "bare.xyz --columns 'x y z _' --tolerance-column sigma"),
     # Noise
     (0, "tolerances  0.00[0-9]* to 0.01[0-9]*, by noise 0.001 . 0.02[*]r\n.*shapes +3 in",
      f"plain.xyz --noise '0.001 + 0.02*r' {BOUND}"),
@@ -101,12 +98,13 @@ test_options = cases([
     *((2, f": --noise is '{re.escape(text)}', which .*; it must be a sum of numbers and powers of the range r, as in ",
        f"plain.xyz --noise='{text}' {BOUND}") for text in NO_NOISE),
     # One number, or one for each point
-    (0, "maximum distance 0.004, angle", "plain.xyz E"),
+    *((0, "maximum distance [0-9.e-]* .estimated., angle", f"plain.xyz {auto}") for auto in ("", "--maximum-distance auto")),
     (0, "tolerances .* by auto-local\n.*shapes +3 in", "plain.xyz --maximum-distance auto-local"),
     (2, ": --maximum-distance is 'local', must be a number, auto or auto-local ", "plain.xyz --maximum-distance local"),
     (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
-    *((2, ": --maximum-distance auto-local and --[a-z-]* both give ", f"cloud.ply --maximum-distance auto-local {more}")
-      for more in (f"--noise r {BOUND}", "--tolerance-column sigma"))])
+    (2, ": --maximum-distance auto-local and --noise both give ",
+     f"cloud.ply --maximum-distance auto-local --noise r {BOUND}"),
+    (1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")])
 
 
 @table("text, noise", [("2.8e-3r^2+.001", .001 + .0028 * 25), (" r * r * 2.8e-3 - 1e-3 r + -0.05 ", .015), ("R**2", 25),
@@ -116,12 +114,6 @@ def test_noise(p, text, noise):
     multiple = float(re.search("tolerance of each point is ([0-9.]*) times that", re.sub(r"\s+", " ", HELP)).group(1))
     p(WARNS, "", ["near.xyz", "--noise", text, "--viewpoint", "0,0,0", "--report", "t.json", "--quiet"])
     assert multiple > 1 and p.json("t.json")["tolerance"]["minimum"] == pytest.approx(noise * multiple, rel=1e-4)
-
-
-def test_auto(p):
-    p(0, "maximum distance [0-9.e-]* .estimated., angle", "plain.xyz --planes a.planes")
-    p(0, NOTHING, "plain.xyz --maximum-distance auto --planes b.planes --quiet")
-    assert p.is_same("a.planes", "b.planes")
 
 
 def test_corridor(p):
@@ -159,33 +151,22 @@ def test_zeros_are_left_out(p, corner, zeros):
     p.warns("z.xyz --ignore-zeros")
 
 
-def as_degrees(points):
-    return points * (1 / 400, 1 / 300, 10) + (-71.06, 42.36, 0)
-
-
-def raster():
-    i, j = (a.ravel() for a in np.mgrid[:80, :60])
-    return np.column_stack([694386 + i, 5155487.5 + j,
-                            380 + .1 * i + .01 * np.random.default_rng(1).integers(100, size=len(i))])
-
-
 # Clouds, the tolerance, and the one warning of the coordinates, if there is any
 CLOUDS = [
     # Coordinates that went through floats, or streams as they write by default
-    (sensor_room(FAR), .02, ""), (as_floats(sensor_room(NEAR)), .0001, ""), (as_floats(sensor_room(FAR)), 3, ""),
+    (sensor_room(FAR), .02, ""), (as_floats(sensor_room(FAR)), 3, ""),
     (as_floats(sensor_room(FAR)), .02,
      "rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.02: write doubles, or subtract an offset"),
-    (as_floats(sensor_room(FAR)), 1, "rounded, y in steps of 0.5, while"),
     (np.vectorize(lambda x: float(f"{x:.6g}"))(10 * sensor_room((69438.62, 51554.875, 380), 20000)), .1,
      "rounded, x in steps of 1, y in steps of 1, while .*more digits"),
-    # Millimeters, copies on a grid, and rasters of meters, also at half of them, are no rounded coordinates.
+    # Millimeters and copies on a grid are no rounded coordinates.
     (np.round(1000 * sensor_room(NEAR)), 12, ""), (np.round(np.repeat(sensor_room(NEAR)[:900], 8, axis=0), 2), .015, ""),
-    (raster(), .2, ""), (sensor_room((0, 0, 380)), .02, ""), (.01 * sensor_room((0, 0, 380)), .0002, ""),
-    (as_degrees(sensor_room((0, 0, 38))), .1, "look like degrees of longitude and latitude .*: project .* first, to UTM"),
+    (sensor_room((0, 0, 38)) / (400, 300, .1) + (-71.06, 42.36, 0), .1,
+     "look like degrees of longitude and latitude .*: project .* first, to UTM"),
     # A few points at 0 0 0 far from the others, or many near them
     *((np.concatenate([sensor_room(corner), np.zeros((zeros, 3))]), .02,
        f"{zeros} points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros" if zeros > least else "")
-      for corner, least in ((FAR, 3), (NEAR, 3), (AROUND, 100)) for zeros in (2, 20, 500))]
+      for corner, least in ((FAR, 3), (AROUND, 100)) for zeros in (2, 20, 500))]
 
 
 @table("points, tolerance, pattern", CLOUDS)
@@ -194,12 +175,3 @@ def test_coordinates(p, points, tolerance, pattern):
     err = p.run([PROGRAM, "sensor.xyz", "--maximum-distance", str(tolerance), "--quiet"], {})[2]
     found = re.findall("[^\n]*(?:in steps of|degrees of|at 0 0 0)[^\n]*", err)
     assert len(found) == bool(pattern) and re.search(pattern, "".join(found)), err
-
-
-def test_names_of_degrees(p):
-    p.write({"zero.xyz": "0 0 0\n" * 3,
-             "named_degrees.csv": "lon,lat,height\n" + text_of(as_degrees(sensor_room(NEAR)), ",")})
-    p(1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")
-    text = p(WARNS, "warning: named_degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so "
-             "project", "named_degrees.csv --maximum-distance 0.1")
-    assert re.search("columns +x y z\n", text)

@@ -18,15 +18,6 @@ EXAMPLE = os.path.join(ROOT, "examples", "python", "color_cloud.py")
 PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
 
 
-def read_vertices(path):
-    """The vertices of a binary PLY file without faces."""
-    types = {"double": "<f8", "float": "<f4", "uchar": "u1", "int": "<i4"}
-    with open(path, "rb") as file:
-        header, data = file.read().split(b"end_header\n", 1)
-    fields = [line.split()[1:] for line in header.decode().splitlines() if line.startswith("property")]
-    return np.frombuffer(data, dtype=[(name, types[word]) for word, name in fields])
-
-
 @pytest.fixture
 def path(tmp_path):
     """Where a file of this name is, in a folder of the test"""
@@ -39,11 +30,13 @@ def test_example(path):
     text = run_python(EXAMPLE, colored, cloud)
     assert text.count("shape ") == 6
     assert text.count("are orthogonal") == 3
-    vertices = read_vertices(colored)
-    np.testing.assert_array_equal(np.stack([vertices[c] for c in "xyz"], axis=1), room()[0])
-    colors = {(v["shape"], v["red"], v["green"], v["blue"]) for v in vertices}
-    assert len(colors) == 7  # one for each shape, and gray
-    assert (-1, 128, 128, 128) in colors
+    with open(colored, "rb") as file:
+        header, data = file.read().split(b"end_header\n", 1)
+    assert re.findall(rb"property \w+ (\w+)", header) == b"x y z nx ny nz red green blue shape".split()
+    vertices = np.frombuffer(data, np.dtype([("xyz", "3f8"), ("normal", "3f4"), ("rgb", "3u1"), ("shape", "<i4")]))
+    np.testing.assert_array_equal(vertices["xyz"], room()[0])
+    colors = {(v["shape"], *v["rgb"]) for v in vertices}  # one for each shape, and gray
+    assert len(colors) == 7 and (-1, 128, 128, 128) in colors
     assert run_python(EXAMPLE, path("corner.ply")).count("shape ") == 3  # without a cloud
     wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
     assert (wrong.returncode, "OUTPUT.ply" in wrong.stderr) == (1, True)
@@ -65,11 +58,8 @@ def run_python(*arguments, folder=None):
 @pytest.mark.skipif(not PROGRAM, reason="the program detect_planes is not built")
 def test_same_result_as_the_program(path):
     rows = np.concatenate(room(), axis=1)
-    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
-    header += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz")] + ["end_header", ""]
-    with open(path("room.ply"), "wb") as file:
-        file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
-    subprocess.run([PROGRAM, path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
+    np.savetxt(path("room.xyz"), rows, "%.17g")
+    subprocess.run([PROGRAM, path("room.xyz"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
                     "--labels", path("labels"), "--planes", path("planes"),
                     "--report", path("report"), "--shapes", path("shapes.csv")], check=True)
     shapes = shapes_of_room()
