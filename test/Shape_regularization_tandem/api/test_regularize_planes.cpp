@@ -109,6 +109,12 @@ BOOST_AUTO_TEST_CASE(test_switches)
   CHECK(regularized(s, {8, .05, false, false, true}).number_of_parallel_groups() == 8);
   for(bool is_changed : regularized(s, {8, .05, false, false, false}).is_changed)
     CHECK(!is_changed);
+  CHECK(regularized(s, {8, .05, false, true, true}).orthogonal_groups.size() >= 3);
+  check_groups(regularized_within(s, .1, {}, 0), 8, 8, "relations are worth nothing");
+  Box_scene far = s; // with a point of no plane
+  far.points.push_back({1e9, 0, 0});
+  far.index.push_back(-1);
+  check_groups(regularized_within(far, .1), 3, 7, "a point far away");
 }
 
 // Two walls at five degrees with little noise: one direction would cost their points too much.

@@ -3,7 +3,7 @@
 //
 // Surfels against a map of cubes that are counted in plain arithmetic, of points with one tolerance and with tolerances
 // of their own, whose cubes are smaller by octaves: which points surfels have, where they are, their normals and
-// levels, the cells that they are in, the octree of all cubes, and which ones join. No surfel, joined or not, has
+// levels, the cells that they are in, and which ones join. No surfel, joined or not, has
 // points of two layers that are 1.1 epsilon apart.
 
 #include "testing/body_fixture.h"
@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -111,29 +110,6 @@ Cube cube_of(const Grid_point& p, const Grid_point& low, double edge, int octave
     return std::int64_t(std::floor((double(v) - from) * (1 / edge) * std::pow(2, octave)));
   };
   return {at(p.x, low.x), at(p.y, low.y), at(p.z, low.z)};
-}
-
-// Keys ascend along an octree of cubes: for each octave, those of a cube and of all smaller ones within are
-// consecutive.
-void check_octree(const Case& c, const Leveled_points& p)
-{
-  const Code_frame frame = make_code_frame(p.low, p.high, c.cells);
-  CHECK_AT(frame.has_surfels(), c.text());
-  std::multimap<std::uint64_t, std::size_t> by_key;
-  for(std::size_t i = 0; i < p.point.size(); ++i)
-    by_key.emplace(frame.code(p.point[i], p.level[i]), i);
-  for(int octave = 0; octave <= c.cells.octaves; ++octave) {
-    std::set<Cube> seen;
-    Cube last = {-1, -1, -1};
-    for(const auto& [key, i] : by_key) {
-      if(naive_octave(p.level[i], c.cells.octaves) < octave)
-        continue;
-      const Cube cube = cube_of(p.point[i], p.low, c.cells.edge, octave);
-      CHECK_AT(cube == last || seen.insert(cube).second,
-               c.text() + ": keys of two cubes of octave " + std::to_string(octave));
-      last = cube;
-    }
-  }
 }
 
 // What the engine makes of the points.
@@ -244,7 +220,6 @@ BOOST_AUTO_TEST_CASE(surfels_of_cubes)
                         {{333.3, 5}, 1500, 5000, false}, {{4e6, most}, 200000000, 6000, true}};
   for(const Case& c : cases) {
     const Leveled_points p = random_points(c);
-    check_octree(c, p);
     Sequential_backend sequential;
     for(const std::size_t cell_size : {50u, 80u, 300u, 8192u}) {
       Surfel_cloud<Sequential_backend> s(sequential, p, c.cells, cell_size);

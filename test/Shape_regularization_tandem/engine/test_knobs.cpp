@@ -6,13 +6,9 @@
 
 #include "testing/test_support.h"
 
-#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
-
 BOOST_AUTO_TEST_SUITE(test_knobs)
 
 namespace np = CGAL::Tandem::parameters;
-
-constexpr std::size_t points_of_wall = 4000;
 
 // Two walls, 4 m wide, 3 m high, that lean by .2 degrees, and a floor. Noise of a centimeter.
 Cloud make_leaning_walls()
@@ -26,7 +22,7 @@ Cloud make_leaning_walls()
        std::make_tuple(Vec{5, 0, 0}, Vec{4 * std::sin(lean), 4 * std::cos(lean), 0}, Vec{0, 0, 3}),
        std::make_tuple(Vec{0, 0, 0}, Vec{5, 0, 0}, Vec{0, 4, 0})}) {
     const Vec n = scenes::unit(scenes::cross(u, v));
-    for(std::size_t i = 0; i < points_of_wall; ++i)
+    for(int i = 0; i < 4000; ++i)
       add(cloud, corner + random.uniform() * u + random.uniform() * v + .01 * random.gaussian() * n, n);
   }
   return cloud;
@@ -69,25 +65,6 @@ BOOST_AUTO_TEST_CASE(test_leaning_walls)
   for(const double regularity : {.3, 10.})
     check_counts("parallel walls", find(regularity), 3, 2, 3);
   CHECK(find(0).orthogonal_groups().empty() && find(.3).orthogonal_groups().size() == 1);
-}
-
-// The same relations for planes that another method has found. A point of no plane does not matter, wherever it is.
-BOOST_AUTO_TEST_CASE(test_given_planes)
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<int> index;
-  for(const auto& item : make_leaning_walls()) {
-    index.push_back(int(points.size() / points_of_wall));
-    points.push_back(item.first);
-  }
-  points.emplace_back(1e9, 0, 0);
-  index.push_back(-1);
-  for(const double regularity : {0., .3}) {
-    std::vector<Kernel::Plane_3> planes = {{1, 0, 0, 0}, {1, -.0035, 0, -5}, {0, 0, 1, 0}};
-    const auto list = np::plane_index_map(CGAL::make_property_map(index)).maximum_angle(8).maximum_distance(.03);
-    const auto relations = CGAL::Tandem::regularize_planes(planes, points, list.regularity(regularity));
-    check_equal(relations.number_of_parallel_groups(), regularity == 0 ? 3u : 2u, "directions of given planes");
-  }
 }
 
 // Whatever the period of the alternation is, the result is valid and regularized; 1 is the method. Between two

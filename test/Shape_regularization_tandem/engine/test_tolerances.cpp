@@ -111,6 +111,31 @@ BOOST_AUTO_TEST_CASE(test_constant_tolerance)
     // Epsilon is that of the tolerances, too.
     c.tolerance.assign(c.cloud.size(), .04);
     check_same(c.detect("estimated", estimated, given), expected, "estimated");
+    // As without a map.
+    c.tolerance.assign(c.cloud.size(), HUGE_VAL);
+    check_same(c.detect("infinite", estimated, given), detect(c.cloud, estimated, given), "infinite");
+  }
+}
+
+// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances, and those
+// without a number are as if they had the bound that follows from the others.
+BOOST_AUTO_TEST_CASE(test_bounds)
+{
+  Leveled_cloud all = make_leveled(5000);
+  Leveled_cloud some = all;
+  for(std::size_t i = 0; i < some.tolerance.size(); i += 4)
+    some.tolerance[i] = HUGE_VAL;
+  const double largest = *std::max_element(all.tolerance.begin(), all.tolerance.end());
+  for(const auto& [c, bound, low, high] :
+      {std::make_tuple(&all, 1.0001 * largest, largest, largest), std::make_tuple(&all, 1e100, largest, largest),
+       std::make_tuple(&all, .02, .02, .02), std::make_tuple(&some, 0., .03, .045)}) {
+    const std::string name = "bound " + CGAL::Tandem::to_text(bound);
+    Parameters p = make_parameters(bound, least);
+    p.maximum_offset = (std::min)(bound, largest);
+    const Shapes shapes = c->detect(name, p);
+    const double epsilon = shapes.parameters().maximum_distance;
+    CHECK_AT(epsilon >= low && epsilon <= high && shapes.number_of_shapes() > 4, name + ": " + std::to_string(epsilon));
+    check_same(shapes, c->bounded(epsilon).detect("bounded", make_parameters(epsilon, least)), name);
   }
 }
 
@@ -166,44 +191,6 @@ BOOST_AUTO_TEST_CASE(test_layers_beside_noise)
   for(std::size_t i = 0; i < c.cloud.size(); i += 4)
     CHECK_AT(shapes.shape_index(i) < 0 || shapes.shape_index(i) != shapes.shape_index(i + 2),
              "points of both layers in one shape: " + std::to_string(i));
-}
-
-// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances.
-BOOST_AUTO_TEST_CASE(test_bounds)
-{
-  const Leveled_cloud c = make_leveled(5000);
-  const double largest = *std::max_element(c.tolerance.begin(), c.tolerance.end());
-  const Shapes expected = c.detect("largest", make_parameters(largest, least));
-  CHECK(expected.number_of_shapes() > 4);
-  for(const double bound : {1.0001 * largest, 1e100}) {
-    Parameters p = make_parameters(bound, least);
-    p.maximum_offset = largest;
-    const std::string name = "bound " + std::to_string(bound);
-    const Shapes shapes = c.detect(name, p);
-    check_equal(shapes.parameters().maximum_distance, largest, name);
-    check_same(shapes, expected, name);
-  }
-  const Parameters p = make_parameters(.02, least);
-  check_same(c.detect("smaller", p), c.bounded(.02).detect("bounded", p), "a smaller bound");
-}
-
-// Some, without a number: as if they had the bound that follows from the others. All: as without a map.
-BOOST_AUTO_TEST_CASE(test_infinite)
-{
-  Leveled_cloud c = make_leveled(5000);
-  for(std::size_t i = 0; i < c.tolerance.size(); i += 4)
-    c.tolerance[i] = HUGE_VAL;
-  Parameters p;
-  p.minimum_region_size = least;
-  const Shapes some = c.detect("some infinite", p);
-  const double epsilon = some.parameters().maximum_distance;
-  CHECK_AT(epsilon > .03 && epsilon <= .045, "epsilon beside infinite tolerances: " + std::to_string(epsilon));
-  CHECK(some.number_of_shapes() > 4);
-  check_same(some, c.bounded(epsilon).detect("bounded", make_parameters(epsilon, least)), "some infinite");
-  c.tolerance.assign(c.cloud.size(), HUGE_VAL);
-  const Shapes all = c.detect("all infinite", p), none = detect(c.cloud, p);
-  check_equal(all.parameters().maximum_distance, none.parameters().maximum_distance, "all infinite: estimate");
-  check_same(all, none, "all infinite");
 }
 
 // Each tenth point has none, or one that no distance is within; or all have.

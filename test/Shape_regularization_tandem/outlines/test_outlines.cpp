@@ -3,7 +3,7 @@
 //
 // Outlines of a facade: straight edges that are parallel or orthogonal to lines with other planes, windows that are
 // rectangles, and a round hole that is none. Of shapes to which no other plane gives a direction: squares have four
-// corners, also those of parallel planes, and a circle stays one. Of points that are there many times, exactly or nearly,
+// corners, also those of parallel planes. Of points that are there many times, exactly or nearly,
 // and of points in another order.
 
 #include "testing/test_support.h"
@@ -197,24 +197,6 @@ BOOST_AUTO_TEST_CASE(squares)
       }
       check_close(sum / (100 + second.side * second.side), 1, .03, "area");
     }
-}
-
-BOOST_AUTO_TEST_CASE(a_disk)
-{
-  scenes::Random random{11};
-  Cloud cloud;
-  while(cloud.size() < 5000) {
-    const Vec p = {8 * random.uniform() - 4, 8 * random.uniform() - 4, .005 * random.gaussian()};
-    if(std::hypot(p.x, p.y) < 4)
-      add(cloud, p, {0, 0, 1});
-  }
-  const Areas disk = areas_of(cloud);
-  CHECK(disk.number_of_entries() == 1);
-  const auto edges = edges_of(disk, 0);
-  CHECK_AT(edges.size() > 12, std::to_string(edges.size()));
-  check_close(disk.area(0) / (16 * CGAL_PI), 1, .04, "area");
-  const auto is_regular = [&](const Kernel::Vector_3& e) { return sine_to(e, edges[0]) < 1e-9; };
-  CHECK(std::count_if(edges.begin(), edges.end(), is_regular) <= std::ptrdiff_t(edges.size() / 4));
 }
 
 // --- Copies

@@ -222,11 +222,6 @@ BOOST_AUTO_TEST_CASE(gains)
     check_equal(got.is_taken, expected.is_taken, where + ": is taken");
     if(got.is_accepted && got.is_taken == expected.is_taken)
       check_close(got.gain, expected.gain, 2, where + ": gain");
-    if(n == m) { // of equal shapes none is the larger one
-      const Verdict other = verdict_of(gain, b.sampled(), a.sampled(), links);
-      CHECK_AT(!other.is_accepted || !got.is_accepted || std::fabs(other.gain - got.gain) < 1e-3,
-               where + ": gain of the pair in the other order");
-    }
     accepted += expected.is_accepted && !expected.is_taken;
     taken += expected.is_taken;
     rejected += !expected.is_accepted;
@@ -472,23 +467,19 @@ void add_fragment(Fragments& fragments, int points, int x, int y, std::mt19937& 
 }
 
 // Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not: the more uneven,
-// the fewer. Or level ground, which is exactly flat, so that all costs are 0, and sizes and ids decide. With links
-// between neighbors in rows, columns and one diagonal.
-std::size_t check_roofs(const std::string& name, bool is_level, int unevenness)
+// the fewer. With links between neighbors in rows, columns and one diagonal.
+std::size_t check_roofs(const std::string& name, int unevenness)
 {
   std::mt19937 random(3);
   Fragments fragments;
   Links links;
   const auto height = [&](int x, int y) {
-    if(is_level)
-      return 300 * (y / (5 * width));
     const int slope = x < 20 * width ? x / 8 : x < 40 * width ? 2500 - (x - 20 * width) / 10 : 500;
     const int step = 70 * (y / (5 * width)) + unevenness * (37 * (x / width % 7) + 61 * (y / width % 5));
     return slope + step + int(random() % 60);
   };
   for(std::uint32_t id = 0; id < columns * rows; ++id) {
-    const int size = is_level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
-    add_fragment(fragments, size, int(id % columns) * width, int(id / columns) * width, random, height);
+    add_fragment(fragments, 20 + int(random() % 200), int(id % columns) * width, int(id / columns) * width, random, height);
     for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
       if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
         links.push_back({std::uint64_t(id) << 32 | other, 1 + id % 5});
@@ -499,8 +490,7 @@ std::size_t check_roofs(const std::string& name, bool is_level, int unevenness)
 BOOST_AUTO_TEST_CASE(roofs)
 {
   constexpr std::size_t all = columns * rows;
-  check_equal(check_roofs("level ground", true, 0), 10u, "levels");
-  const std::size_t roots = check_roofs("roofs", false, 1), of_uneven = check_roofs("uneven roofs", false, 4);
+  const std::size_t roots = check_roofs("roofs", 1), of_uneven = check_roofs("uneven roofs", 4);
   CHECK_AT(roots > all / 30 && roots < all / 3, std::to_string(roots));
   CHECK_AT(of_uneven > all - 30 && of_uneven < all, std::to_string(of_uneven));
 }
@@ -515,11 +505,8 @@ BOOST_AUTO_TEST_CASE(level_shapes)
     Fragments fragments;
     Links links;
     for(std::uint32_t i = 0; i < (is_row ? 2000 : 300); ++i) {
-      add_fragment(fragments,
-                   is_row   ? 50
-                   : i == 0 ? 2000
-                            : 5 + int(i),
-                   int(i) * width, 0, random, [](int, int) { return 0; });
+      const int size = is_row ? 50 : i == 0 ? 2000 : 5 + int(i);
+      add_fragment(fragments, size, int(i) * width, 0, random, [](int, int) { return 0; });
       if(i > 0)
         links.push_back({std::uint64_t(is_row ? i - 1 : 0) << 32 | i, is_row ? 1u : 3u});
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The state between rounds. Labels are live shapes or marks; counts, sums and boxes of shapes are those of the points,
-// which see the planes of the shapes. Where most ids are out of use, shapes get new ones and stay what they are.
+// which see the planes of the shapes.
 // Each stage asks for what it reads of what follows from labels: where all of it is out of date, it neither reads it,
 // which an assertion reports, nor has another result. scripts/check_requests.sh removes each request in turn, and
 // expects this test to fail.
@@ -118,38 +118,6 @@ void check_state(const State& t, const std::string& where)
     CHECK_AT(!is_any(delta) && are_equal(delta.moments(), Moments()), where + ": deltas that were not taken");
 }
 
-using Live = std::vector<std::pair<Shape, Plane>>;
-
-Live live_shapes(const Shape_table<Sequential_backend>& shapes)
-{
-  Live live;
-  for(std::size_t id = 0; id < shapes.size; ++id)
-    if(shapes.table()[id].is_live())
-      live.push_back({shapes.table()[id], shapes.plane[id]});
-  return live;
-}
-
-// Most shapes go out of use, between two passes of growth: the others get new ids in the same order, and stay what they
-// are, but for their ages.
-void check_new_ids(State& t, const std::string& where)
-{
-  Shape_table<Sequential_backend>& shapes = t.shapes;
-  const Shape* const first = shapes.table().data();
-  drop_shapes(t.points, shapes, [first](const Shape& shape) { return (&shape - first) % 4 != 0; });
-  check_state(t, where + ", most are dropped");
-  const Live before = live_shapes(shapes);
-  const std::size_t size = shapes.size;
-  check_equal(take_growth(t.points, shapes, shapes.size), 0u, where + ": new points");
-  check_state(t, where);
-  check_equal(shapes.size, 2 * before.size() < size ? before.size() : size, where + ": ids");
-  const auto is_kept = [](const auto& a, const auto& b) {
-    return are_equal(a.first.moments, b.first.moments) && is_same_plane(a.second, b.second) &&
-           a.first.plane_number == b.first.plane_number && a.first.age == b.first.age + 1 && !a.first.is_active;
-  };
-  const Live after = live_shapes(shapes);
-  CHECK_AT(std::equal(after.begin(), after.end(), before.begin(), before.end(), is_kept), where + ": shapes");
-}
-
 BOOST_AUTO_TEST_CASE(state_after_rounds)
 {
   int rounds = 0;
@@ -166,7 +134,6 @@ BOOST_AUTO_TEST_CASE(state_after_rounds)
           check_state(state, std::string(name) + ", round " + std::to_string(state.round));
         }
         rounds += state.round;
-        check_new_ids(state, std::string(name) + ", new ids");
       }
   CHECK_AT(rounds > 80, std::to_string(rounds) + " rounds in all");
 }
