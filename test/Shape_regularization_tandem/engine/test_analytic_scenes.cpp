@@ -97,17 +97,6 @@ BOOST_AUTO_TEST_CASE(test_known_scenes)
   }
 }
 
-// Chained angles: whatever is made parallel, no plane is turned by more than the tolerance.
-BOOST_AUTO_TEST_CASE(test_chain_does_not_drift)
-{
-  const scenes::Scene scene = scenes::make_scene(scenes::make_chained(5, 6), scene_options(12000));
-  for(double epsilon : {.01, .1, .3}) {
-    const std::string name = "chain of six, epsilon " + std::to_string(epsilon);
-    const Shapes shapes = detect_valid(name, to_cloud(scene), make_parameters(epsilon, 100));
-    check_planes(name, scene, shapes, 8.1, 2 * epsilon);
-  }
-}
-
 // Nothing planar: no plane is made up. (Estimated
 // normals of a volume whose spacing, here .04, is that of a slab of two epsilons do make planes.)
 BOOST_AUTO_TEST_CASE(test_without_planes)

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(test_many_faces)
 {
   Random random(5);
   Cloud cloud;
-  Squares faces = make_squares(1200, 40, 2);
+  Squares faces = {1200, 40, 2};
   faces.high = 60;
   add_squares(random, cloud, faces);
   const Shapes shapes = detect_valid("many faces", cloud, make_parameters(.02, 20));
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(test_large_minimum)
 // Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.
 BOOST_AUTO_TEST_CASE(test_late_faces)
 {
-  Squares plane = make_squares(1, 200000, 100), tiles = make_squares(144, 49, .14);
+  Squares plane = {1, 200000, 100}, tiles = {144, 49, .14};
   plane.distance_noise = .0005;
   tiles.low = 30;
   tiles.high = 33;

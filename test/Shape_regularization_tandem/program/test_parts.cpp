@@ -169,8 +169,8 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros)
     s.*zeros = 600;
     s.free_points.clutter = 250;
   }
-  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 600}) == 100. / 350);
-  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
+  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
+  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
 }
 
 // Another rank has measured this.
