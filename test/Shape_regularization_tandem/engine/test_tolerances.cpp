@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tolerances of points: each point is within its own, a constant one is that of the detection bit for bit, a depth
-// camera gets the planes of its scene, near layers stay apart where far noise is wider than their distance, and points
-// without a tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
+// camera gets the planes of its scene, and points without a tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
 
 #include "testing/tolerances.h"
 
@@ -168,27 +167,6 @@ BOOST_AUTO_TEST_CASE(test_depth_camera)
       CHECK_AT(shapes.statistics().coverage > .95, name);
     }
   }
-}
-
-// Two layers near the origin, closer to each other than the tolerance of what is far.
-BOOST_AUTO_TEST_CASE(test_layers_beside_noise)
-{
-  scenes::Random random(8);
-  Leveled_cloud c;
-  for(int i = 0; i < 6000; ++i) {
-    const double a = random.uniform(), b = random.uniform();
-    add(c.cloud, {a - .5, b - .5, (i % 2 == 0 ? .012 : 0) + .001 * random.gaussian()}, {0, 0, 1});
-    add(c.cloud, {8 * a - 4, 8 * b - 4, 10 + .05 * random.gaussian()}, {0, 0, 1});
-  }
-  for(const auto& item : c.cloud)
-    c.tolerance.push_back(.003 + .0016 * (item.first - CGAL::ORIGIN).squared_length());
-  Parameters parameters;
-  parameters.minimum_region_size = 100;
-  const Shapes shapes = c.detect("two layers", parameters);
-  check_equal(shapes.number_of_shapes(), std::size_t(3), "two layers, and noise far away");
-  for(std::size_t i = 0; i < c.cloud.size(); i += 4)
-    CHECK_AT(shapes.shape_index(i) < 0 || shapes.shape_index(i) != shapes.shape_index(i + 2),
-             "points of both layers in one shape: " + std::to_string(i));
 }
 
 // Each tenth point has none, or one that no distance is within; or all have.

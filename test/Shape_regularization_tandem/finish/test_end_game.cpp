@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What detections end with. Relations must not lose faces of hardly more than the minimum size, and points that fit a
-// shape around them must not be free. Planes lie in the middle of their points.
+// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the middle of their points.
 // Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
@@ -43,36 +42,6 @@ BOOST_AUTO_TEST_CASE(small_faces)
     }
   const Shapes shapes = detect(cloud, make_parameters(epsilon, 100));
   check_equal(shapes.number_of_shapes(), std::size_t(1 + columns * columns), "a floor and small faces over it");
-}
-
-// Each free point is far from the planes of the shapes of its neighbors, or turned away from them. Those that the exact
-// check frees, and those of slabs of clutter, may be near.
-BOOST_AUTO_TEST_CASE(free_points)
-{
-  const Cloud cloud = to_cloud(scenes::make_scene("part", scene_options(30000, .0003, .03)));
-  const Parameters parameters = make_parameters(epsilon, 200);
-  const Shapes shapes = detect(cloud, parameters);
-  const double cosine = cosine_deg(parameters.maximum_angle);
-  std::size_t free = 0, near = 0;
-  for(std::size_t i = 0; i < cloud.size(); ++i) {
-    if(shapes.shape_index(i) >= 0)
-      continue;
-    ++free;
-    std::vector<std::pair<double, std::size_t>> neighbor;
-    for(std::size_t j = 0; j < cloud.size(); ++j)
-      neighbor.emplace_back((cloud[j].first - cloud[i].first).squared_length(), j);
-    std::nth_element(neighbor.begin(), neighbor.begin() + 12, neighbor.end());
-    near += std::any_of(neighbor.begin(), neighbor.begin() + 13, [&](const auto& n) {
-      if(shapes.shape_index(n.second) < 0)
-        return false;
-      const auto& c = shapes.coefficients(std::size_t(shapes.shape_index(n.second)));
-      const Kernel::Vector_3 normal(c[0], c[1], c[2]);
-      return std::fabs(normal * (cloud[i].first - CGAL::ORIGIN) + c[3]) <= .999 * parameters.maximum_distance &&
-             std::fabs(normal * cloud[i].second) >= cosine * 1.001;
-    });
-  }
-  CHECK_AT(free > 300 && 300 * near <= free,
-           std::to_string(near) + " of " + std::to_string(free) + " free points fit the shape of a neighbor");
 }
 
 // A plane lies in the middle of all points of its shapes; without any it stays.

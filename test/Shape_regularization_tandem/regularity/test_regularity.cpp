@@ -49,18 +49,6 @@ BOOST_AUTO_TEST_CASE(constrained_fits)
   check_close(cost_of_right_angle(e, near) / exact, 1, 0.01, "cost of a right angle");
 }
 
-BOOST_AUTO_TEST_CASE(orthogonal)
-{
-  // A master with two followers 40 degrees apart, neither of them exact before
-  const Relations r = run({{polar(0, 89), {0, 0, 0}, 40 * epsilon, 40 * epsilon, 200, 9000},
-                           {polar(10, 1), {1e6, 0, 0}, 20000, 9000},
-                           {polar(50, -1), {2e6, 0, 0}, 20000, 9000}},
-                          all_on(400));
-  check_equal(r.directions.size(), 3u, "directions of master and followers");
-  check_equal(orthogonal_pairs(r.directions).size(), 2u, "right angles of master and followers");
-  check(std::fabs(dot(r.directions[1], r.directions[2]) - cosine_deg(40)) < 0.03, "followers keep their angle");
-}
-
 // Boxes with gabled roofs on two walls: each roof plane is orthogonal to one wall, not to the other.
 BOOST_AUTO_TEST_CASE(chained_frames)
 {

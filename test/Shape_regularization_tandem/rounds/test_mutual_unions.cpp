@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Unions of shapes. Their gain beside the definition, in double, where samples have all points, also of points with one
-// tolerance of their own; layers, bends and one plane by samples of large shapes. The samples. The rounds of mutual
+// tolerance of their own. The samples. The rounds of mutual
 // choice beside a slow definition, which fits every link anew in every round, in any order of the links.
 
 #include "testing/body_fixture.h"
@@ -232,41 +232,6 @@ BOOST_AUTO_TEST_CASE(gains)
   CHECK_AT(close < 2000, std::to_string(close) + " are close");
 }
 
-// Whether two areas become one, side by side or, as layers, at one place. The second one is at a distance in epsilons
-// that begins at `step` and rises to `rise` more. Noise is uniform, of so many epsilons to either side.
-bool are_united(int n, double noise, double step, double rise)
-{
-  std::mt19937 random{unsigned(n)};
-  Fragment part[2];
-  for(int i = 0; i < 2 * n; ++i) {
-    const bool is_second = i >= n;
-    const int x = int(random() % 10000), y = int(random() % 10000);
-    const double height = (is_second ? step + rise * x / 10000 : 0) + noise * (double(random() % 2001) / 1000 - 1);
-    part[is_second].point.push_back({x + (is_second && step == 0 ? 10000 : 0), y, int(height * epsilon), upright});
-  }
-  part[0].finish(0);
-  part[1].finish(std::uint32_t(n));
-  const Union_gain criterion(union_options());
-  const bool result = verdict_of(criterion, part[0].sampled(), part[1].sampled(), 20).is_accepted;
-  check_equal(verdict_of(criterion, part[1].sampled(), part[0].sampled(), 20).is_accepted, result, "the other order");
-  return result;
-}
-
-// 100 is the minimum size.
-BOOST_AUTO_TEST_CASE(surfaces)
-{
-  for(int n : {50, 150, 1000, 3000})
-    for(double noise : {0., .2, 1 / 3., .5}) {
-      const std::string where = std::to_string(n) + " points, noise " + std::to_string(noise);
-      CHECK_AT(are_united(n, noise, 0, 0), where + ": one plane");
-      if(noise == .5)
-        continue;
-      CHECK_AT(n > 1000 || are_united(n, noise, 0, .3), where + ": a slight bend");
-      CHECK_AT(!are_united(n, noise, 0, 6), where + ": a bend");
-      CHECK_AT(n < 1000 || !are_united(n, noise, 1.1, 0), where + ": two layers");
-    }
-}
-
 // As the only rank, and as one after others. Of the labels, and where two shapes have no point, and one has nearly all.
 BOOST_AUTO_TEST_CASE(samples)
 {
@@ -479,7 +444,8 @@ std::size_t check_roofs(const std::string& name, int unevenness)
     return slope + step + int(random() % 60);
   };
   for(std::uint32_t id = 0; id < columns * rows; ++id) {
-    add_fragment(fragments, 20 + int(random() % 200), int(id % columns) * width, int(id / columns) * width, random, height);
+    add_fragment(fragments, 20 + int(random() % 200), int(id % columns) * width, int(id / columns) * width, random,
+                 height);
     for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
       if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
         links.push_back({std::uint64_t(id) << 32 | other, 1 + id % 5});
