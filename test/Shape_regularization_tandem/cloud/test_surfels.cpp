@@ -218,11 +218,6 @@ BOOST_AUTO_TEST_CASE(surfels_of_cubes)
                         {{333.3, 5}, 1500, 5000, false}, {{4e6, most}, 200000000, 6000, true}};
   for(const Case& c : cases) {
     const Leveled_points p = random_points(c);
-    Sequential_backend sequential;
-    for(const std::size_t cell_size : {50u, 80u, 300u, 8192u}) {
-      Surfel_cloud<Sequential_backend> s(sequential, p, c.cells, cell_size);
-      check_cells(s, cell_size, c.text() + ", cells of " + std::to_string(cell_size));
-    }
     on_body_backends([&](auto backend, const std::string& name) { check_surfels(backend, name, c, p); });
   }
 }

@@ -205,11 +205,14 @@ BOOST_AUTO_TEST_CASE(test_relations_pay)
   struct Case {
     double degrees, offset, tolerance, maximum_offset;
     std::size_t directions, right_angles, planes;
+    double regularity = Parameters().regularity;
   };
   for(const Case& c : {Case{3, .5, 2, .1, 2, 0, 2}, Case{3, .5, 6, .1, 1, 0, 2}, Case{10, .5, 15, .1, 2, 0, 2},
                        Case{88, .7, 1, .1, 2, 0, 2}, Case{88, .7, 6, .1, 2, 1, 2}, Case{80, .7, 15, .1, 2, 0, 2},
-                       Case{0, .015, 5, .01, 1, 0, 2}, Case{0, .015, 5, .1, 1, 0, 1}, Case{0, .06, 5, .1, 1, 0, 2}}) {
+                       Case{0, .015, 5, .01, 1, 0, 2}, Case{0, .015, 5, .1, 1, 0, 1}, Case{0, .06, 5, .1, 1, 0, 2},
+                       Case{3, .5, 6, .1, 2, 0, 2, 0}, Case{10, .5, 15, .1, 1, 0, 2, 10}}) {
     Parameters p = make_parameters(.12, 200);
+    p.regularity = c.regularity;
     p.angle_tolerance = c.tolerance;
     p.maximum_offset = c.maximum_offset;
     const std::string name = std::to_string(c.degrees) + " degrees within " + std::to_string(c.tolerance);

@@ -62,17 +62,6 @@ BOOST_AUTO_TEST_CASE(test_large_minimum)
   CHECK_AT(shapes.statistics().number_of_rounds > 4, std::to_string(shapes.statistics().number_of_rounds));
 }
 
-// Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.
-BOOST_AUTO_TEST_CASE(test_late_faces)
-{
-  Squares plane = {1, 200000, 100}, tiles = {144, 49, .14};
-  plane.distance_noise = .0005;
-  tiles.low = 30;
-  tiles.high = 33;
-  const Shapes shapes = detect_valid("late faces", make_squares_cloud(plane, tiles), make_parameters(.005, 29));
-  check(shapes.number_of_shapes() > 130, "late faces", double(shapes.number_of_shapes()));
-}
-
 // Patches too small for a shape have the best seeds of all cells: the loop does not end before the faces begin, and
 // gets there in few rounds.
 void check_faces_behind_patches(const Squares& faces, const Squares& patches, std::size_t minimum,

@@ -8,6 +8,8 @@
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <limits>
 #include <map>
 
@@ -17,32 +19,21 @@ using Limits = std::numeric_limits<double>;
 
 const std::size_t least = 40;
 
-// One for each item of a range of pairs, by its place there.
-struct Listed_tolerance {
-  using key_type = Cloud::value_type;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-
-  const Cloud* cloud;
-  const std::vector<double>* tolerance;
-
-  friend double get(const Listed_tolerance& map, const key_type& item)
-  {
-    return (*map.tolerance)[std::size_t(&item - map.cloud->data())];
-  }
-};
-
 struct Leveled_cloud {
   Cloud cloud;
   std::vector<double> tolerance;
 
+  // One for each item, by its place in the cloud.
+  auto map() const
+  {
+    return boost::make_function_property_map<Cloud::value_type>(
+      [this](const Cloud::value_type& item) { return tolerance[std::size_t(&item - cloud.data())]; });
+  }
   template <class Tag>
   Shapes detect_with(const Parameters& p, Given given) const
   {
     return detect_with_tolerances<Tag>(cloud, p, map(), given);
   }
-  Listed_tolerance map() const { return {&cloud, &tolerance}; }
   std::string violation(const Shapes& shapes, Given given = Given::normals) const
   {
     return violation_with_tolerances(cloud, shapes, map(), given);
