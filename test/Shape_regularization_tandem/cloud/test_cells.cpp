@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(rows_of_blocks)
     f.cloud.neighbor = f.neighbor.data();
     const std::array<int, 2> all = check_rows(backend, name, f, size),
                              own = check_rows(backend, name + ", ghosts", f, size - size / 3);
-    CHECK_AT(size < 1000 || (all[0] > 10 && all[1] > 2 && own[0] > 5 && own[1] > all[1] / 2),
+    CHECK_AT(size < 1000 || (all[0] > 10 && all[1] > 2 && own[0] > 2 && own[1] > all[1] / 2),
              name + ": rows that are listed, or not");
   });
 }
