@@ -120,24 +120,6 @@ BOOST_AUTO_TEST_CASE(test_switches)
   check_equal(within.maximum_distance, .1, "given maximum_distance");
 }
 
-// The faces across z have that direction, and those across x and y one angle to the axis between these.
-BOOST_AUTO_TEST_CASE(test_given_directions)
-{
-  V x, y, z;
-  make_frame(1, x, y, z);
-  const Box_scene s = make_box<Kernel>(1, .005);
-  const std::vector<V> directions = {z};
-  const auto list = np::plane_index_map(s.index_map()).maximum_angle(8).maximum_distance(.1).maximum_offset(.05);
-  const V axis = {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
-  const Result r = result_of(s, list.fixed_directions(directions).symmetry_direction(axis));
-  check_groups(r, 3, 7, "given directions");
-  const V across = cross(normal_of(r.planes[4]), z);
-  CHECK(r.fixed_direction[r.parallel_group[4]] == 0 && dot(across, across) < 1e-30);
-  CHECK(r.symmetry_group[r.parallel_group[0]] == r.symmetry_group[r.parallel_group[2]]);
-  check_close(std::fabs(dot(normal_of(r.planes[0]), axis)), std::fabs(dot(normal_of(r.planes[2]), axis)), 1e-15,
-              "angle");
-}
-
 // The points of a plane decide, in any order, wherever the plane was said to be.
 BOOST_AUTO_TEST_CASE(test_order_of_points)
 {

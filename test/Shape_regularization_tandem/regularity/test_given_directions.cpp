@@ -6,10 +6,14 @@
 
 #include "testing/test_support.h"
 
+#include <CGAL/Shape_regularization_tandem/adapters.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+
 #include <cmath>
 
 BOOST_AUTO_TEST_SUITE(test_given_directions)
 
+namespace np = CGAL::Tandem::parameters;
 using scenes::Vec;
 using Direction = std::array<double, 3>;
 
@@ -148,6 +152,35 @@ BOOST_AUTO_TEST_CASE(equal_directions)
       "the first of equal directions stays, here " + std::to_string(kept));
   check_equal(options.symmetry_axis.size(), std::size_t(1), "axes");
   CHECK_AT(options.symmetry_axis.front() == fixed.front(), "the axis is the fixed direction that it equals");
+}
+
+// The same for planes of another detector.
+BOOST_AUTO_TEST_CASE(given_planes)
+{
+  const Cloud cloud = make_house(.3, 1);
+  Parameters p = make_house_parameters();
+  p.fixed_directions.clear();
+  p.regularize_parallelism = p.regularize_orthogonality = p.regularize_coplanarity = false;
+  const Shapes found = detect(cloud, p);
+  std::vector<Kernel::Plane_3> planes = found.planes();
+  const std::vector<Direction> directions = {vertical};
+  const auto list = np::point_map(First<Kernel>()).plane_index_map(CGAL::Tandem::shape_index_map(found));
+  const auto within = list.maximum_distance(epsilon).maximum_angle(8);
+  const CGAL::Tandem::Plane_relations r =
+    CGAL::Tandem::regularize_planes(planes, cloud, within.fixed_directions(directions).symmetry_direction(vertical));
+  int horizontal = 0, walls = 0;
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    const Kernel::Vector_3 n = planes[s].orthogonal_vector();
+    const int g = r.parallel_group[s];
+    horizontal += r.fixed_direction[g] == 0 && n.x() == 0 && n.y() == 0 && std::fabs(n.z()) == 1;
+    walls += std::fabs(n.z()) <= 1e-15;
+    for(std::size_t t = 0; t < s; ++t)
+      if(r.symmetry_group[g] == r.symmetry_group[r.parallel_group[t]])
+        CHECK_AT(std::fabs(std::fabs(n.z()) - std::fabs(planes[t].orthogonal_vector().z())) <= 1e-15, "symmetric");
+  }
+  check_equal(horizontal, 1, "floor");
+  check_equal(walls, 4, "walls");
+  check_equal(*std::max_element(r.symmetry_group.begin(), r.symmetry_group.end()), 2, "floor, walls, roof");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
