@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(test_bounds)
     p.maximum_offset = (std::min)(bound, largest);
     const Shapes shapes = c->detect(name, p);
     const double epsilon = shapes.parameters().maximum_distance;
-    CHECK_AT(epsilon >= low && epsilon <= high && shapes.number_of_shapes() > 4, name + ": " + std::to_string(epsilon));
+    CHECK_AT(epsilon >= low && epsilon <= high && shapes.number_of_shapes() > 0, name + ": " + std::to_string(epsilon));
     check_same(shapes, c->bounded(epsilon).detect("bounded", make_parameters(epsilon, least)), name);
   }
 }
