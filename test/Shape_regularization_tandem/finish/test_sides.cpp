@@ -9,7 +9,6 @@
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
 
 #include <cmath>
-#include <map>
 #include <set>
 #include <tuple>
 #include <utility>

@@ -1,15 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// closed_surface(): closed two-manifolds, the same in every unit and with copies of points, and what it refuses. The volumes
-// of a house, and of houses of airborne scans, whose walls have no points.
+// closed_surface(): closed two-manifolds, the same in every unit, and what it refuses. The volumes of houses of airborne
+// scans, whose walls have no points.
 
 #include "testing/check_closed_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <random>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_closed_surface)
 
