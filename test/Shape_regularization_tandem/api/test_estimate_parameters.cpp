@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The estimate follows the noise, the spacing and the unit of a cloud, and not the order of its points. It knows the
-// noise: of surfaces next to others, of low roofs, of copies and of depth in steps. What is given is kept. Tolerances of points follow the noise about them.
+// noise: of surfaces next to others, of low roofs, of copies and of depth in steps. What is given is kept. Tolerances
+// of points follow the noise about them.
 
 #include "api_support.h"
 #include "testing/noisy_clouds.h"
@@ -173,8 +174,8 @@ Points rounded_copies(int copies, double jitter, Random& random)
   return copied(points, copies, jitter, random);
 }
 
-// The distance, in the unit of the points, and what its note mentions: null where there is none. Of steps it covers most
-// of one, and not two.
+// The distance, in the unit of the points, and what its note mentions: null where there is none. Of steps it covers
+// most of one, and not two.
 BOOST_AUTO_TEST_CASE(test_scenes)
 {
   struct Scene {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Labels of further points by known planes, against a search without any structure; and results of known planes: those of
-// a detection, and planes with all relations.
+// Labels of further points by known planes, against a search without any structure; and results of known planes: those
+// of a detection, and planes with all relations.
 
 #include "api_support.h"
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results with some of the shapes: valid, with the same planes, points and relations, and the shapes that the criteria say.
-// And one shape for each plane.
+// Results with some of the shapes: valid, with the same planes, points and relations, and the shapes that the criteria
+// say. And one shape for each plane.
 
 #include "api_support.h"
 #include "testing/same_result.h"

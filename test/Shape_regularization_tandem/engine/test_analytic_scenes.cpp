@@ -181,8 +181,8 @@ BOOST_AUTO_TEST_CASE(test_thin_walls)
   // Some 30 points are one surfel, beside one of those whose normals are wrong.
   check_wall({"dense, with some wrong sides", 2, .35, .02, .03, .2, .96, 60000}, 7);
 }
-// The counterpart of CGAL's own test_plane_regularization, where "changed" is only printed: two unit squares of 5000 points,
-// `degrees` apart.
+// The counterpart of CGAL's own test_plane_regularization, where "changed" is only printed: two unit squares of 5000
+// points, `degrees` apart.
 Cloud two_planes(double degrees, double offset)
 {
   Cloud cloud;
@@ -197,9 +197,9 @@ Cloud two_planes(double degrees, double offset)
   return cloud;
 }
 
-// Relations that pay, and that do not. A degree of freedom is worth 70 points here: .1 of 200 and 1 % of 5000; a direction
-// has two. To turn a square by 2 degrees costs 35 points, by 3 degrees 80, by 10 degrees 870; to move both by .0075 costs
-// 40, by .03 it costs 630.
+// Relations that pay, and that do not. A degree of freedom is worth 70 points here: .1 of 200 and 1 % of 5000; a
+// direction has two. To turn a square by 2 degrees costs 35 points, by 3 degrees 80, by 10 degrees 870; to move both by
+// .0075 costs 40, by .03 it costs 630.
 BOOST_AUTO_TEST_CASE(test_relations_pay)
 {
   struct Case {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tolerances of points: each point is within its own, a constant one is that of the detection bit for bit, a depth
-// camera gets the planes of its scene, and points without a tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
+// camera gets the planes of its scene, and points without a tolerance have no shape. Bounds: a maximum_distance above
+// all of them, infinite, tiny and no valid ones.
 
 #include "testing/tolerances.h"
 
@@ -107,8 +108,8 @@ BOOST_AUTO_TEST_CASE(test_constant_tolerance)
   }
 }
 
-// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances, and those
-// without a number are as if they had the bound that follows from the others.
+// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances, and
+// those without a number are as if they had the bound that follows from the others.
 BOOST_AUTO_TEST_CASE(test_bounds)
 {
   Leveled_cloud all = make_leveled(5000);

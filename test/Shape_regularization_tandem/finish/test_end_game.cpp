@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the middle
-// of their points. Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
+// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the
+// middle of their points. Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
 

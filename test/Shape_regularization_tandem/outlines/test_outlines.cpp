@@ -53,8 +53,8 @@ bool is_window(double x, double z)
   return std::any_of(std::begin(corners), std::end(corners), has) || std::hypot(x - 6.5, z - 2.5) < radius;
 }
 
-// A gable wall of 8 x 5 whose ridge is at 7, without a floor; a wall at its side, and the two slopes of the roof. All is
-// turned, so that nothing is parallel to an axis, and far from the origin.
+// A gable wall of 8 x 5 whose ridge is at 7, without a floor; a wall at its side, and the two slopes of the roof. All
+// is turned, so that nothing is parallel to an axis, and far from the origin.
 Cloud make_facade(double points_a_square_meter)
 {
   scenes::Random random{11};
@@ -221,8 +221,8 @@ Cloud make_copies(std::size_t places, std::size_t copies, double jitter)
   return cloud;
 }
 
-// The same area, whatever the number of copies is: with places that are many times the maximum distance from each other, or less
-// than it.
+// The same area, whatever the number of copies is: with places that are many times the maximum distance from each
+// other, or less than it.
 BOOST_AUTO_TEST_CASE(copies_of_points)
 {
   for(std::size_t places : {300, 20000})

@@ -84,8 +84,8 @@ std::pair<int, int> count_related(const Shapes& shapes, int k)
   return count;
 }
 
-// A direction that is too far from the shapes, or that costs their points too much, has no effect: a face of 6 x 4 turned
-// by 7 degrees is far outside of epsilon.
+// A direction that is too far from the shapes, or that costs their points too much, has no effect: a face of 6 x 4
+// turned by 7 degrees is far outside of epsilon.
 BOOST_AUTO_TEST_CASE(fixed_direction)
 {
   for(double lean : {0., .2, 7.}) {
@@ -114,7 +114,8 @@ std::vector<std::size_t> roof_groups(const Shapes& shapes)
   return roof;
 }
 
-// With symmetry the sides of the roof have one slope, which detect_valid() checks, and stay orthogonal to the gable walls.
+// With symmetry the sides of the roof have one slope, which detect_valid() checks, and stay orthogonal to the gable
+// walls.
 BOOST_AUTO_TEST_CASE(symmetry)
 {
   const Cloud cloud = make_house(.2, .5);

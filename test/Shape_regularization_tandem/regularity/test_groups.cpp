@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel and coplanar groups are the same as by a look at all pairs, in the definition. By their prices, shapes are
-// related exactly where that is worth more than what their points lose, and none loses more than its relations are worth.
+// related exactly where that is worth more than what their points lose, and none loses more than its relations are
+// worth.
 
 #include "testing/direction_families.h"
 #include "testing/rectangles.h"
@@ -258,7 +259,8 @@ BOOST_AUTO_TEST_CASE(right_angle)
 }
 
 // No group loses more than the price of a degree of freedom by right angles, and no shape more than that of a direction
-// by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are known.
+// by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are
+// known.
 BOOST_AUTO_TEST_CASE(losses)
 {
   std::size_t released = 0, right_angles = 0;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Right angles among many directions, stars, and partners among fixed directions: the same as by comparing all with all,
-// bit by bit, with far fewer comparisons.
+// Right angles among many directions, stars, and partners among fixed directions: the same as by comparing all with
+// all, bit by bit, with far fewer comparisons.
 
 #include "testing/direction_families.h"
 
@@ -148,8 +148,8 @@ BOOST_AUTO_TEST_CASE(partners)
   check(merged > 100, "directions that became one, in all", double(merged));
 }
 
-// Directions that are looked at when each of n looks for right angles are less than 40 n^1.5. Most of a lattice are equal:
-// their pairs are quadratic.
+// Directions that are looked at when each of n looks for right angles are less than 40 n^1.5. Most of a lattice are
+// equal: their pairs are quadratic.
 BOOST_AUTO_TEST_CASE(work)
 {
   constexpr int n = 8000;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// closed_surface(): closed two-manifolds, the same in every unit, and what it refuses. The volumes of houses of airborne
-// scans, whose walls have no points.
+// closed_surface(): closed two-manifolds, the same in every unit, and what it refuses. The volumes of houses of
+// airborne scans, whose walls have no points.
 
 #include "testing/check_closed_surface.h"
 
