@@ -85,8 +85,8 @@ BOOST_AUTO_TEST_CASE(message_without_memory)
            buffer.str());
 }
 
-// --- Help and messages do not offer what the program was built without, whatever is missing; the options stay known,
-// so that a run can say why they are refused.
+// --- Help and messages do not offer what the program was built without, whatever is missing; the options stay known, so
+// that a run can say why they are refused.
 
 std::string text_of(std::vector<const char*> words, const program::Built_with& built)
 {
@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(offers)
   CHECK(text_of({"cloud.ply", "--view=v.html"}, nothing) == text_of({"--help"}, nothing));
 }
 
-// --- Files are shared among processes by their sizes: they keep their order, and no process is off its share by more
-// than the largest file.
+// --- Files are shared among processes by their sizes: they keep their order, and no process is off its share by more than
+// the largest file.
 
 BOOST_AUTO_TEST_CASE(shares_of_files)
 {
@@ -169,8 +169,8 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros)
     s.*zeros = 600;
     s.free_points.clutter = 250;
   }
-  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
-  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
+  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 600}) == 100. / 350);
+  CHECK(program::share_in_shapes(s, {{5, 5, 5}, {9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
 }
 
 // Another rank has measured this.
