@@ -74,6 +74,7 @@ void check_box(const std::string& kernel, int seeds, double exactness, double fa
     const Result r = regularized(s);
     const std::string what = kernel + ", box " + std::to_string(seed);
     check_groups(r, 3, 7, what);
+    CHECK_AT(r.maximum_distance > noise && r.maximum_distance < .2, what + ": estimate");
     CHECK_AT(r.orthogonal_groups.size() == 3 && r.coplanar_group[6] == r.coplanar_group[7], what);
     CHECK_AT(std::fabs(r.planes[6][3]) == std::fabs(r.planes[7][3]), what);
     for(std::size_t i = 0; i < 8; ++i) {
@@ -109,27 +110,14 @@ BOOST_AUTO_TEST_CASE(test_switches)
   CHECK(regularized(s, {8, .05, false, false, true}).number_of_parallel_groups() == 8);
   for(bool is_changed : regularized(s, {8, .05, false, false, false}).is_changed)
     CHECK(!is_changed);
-}
-
-// Two walls at five degrees with little noise: one direction would cost their points too much.
-BOOST_AUTO_TEST_CASE(test_refusal)
-{
-  Box_scene s;
-  scenes::Random random(2);
-  for(int i = 0; i < 800; ++i) {
-    const double a = 2 * random.uniform() - 1, b = 2 * random.uniform() - 1;
-    s.points.push_back({a, b, i % 2 * (.0875 * a + 3) + .001 * (2 * random.uniform() - 1)});
-    s.index.push_back(i % 2);
-  }
-  s.planes = {{0, 0, 1, 0}, {-.0875, 0, 1, -3}};
-  const Result r = regularized(s);
-  check_groups(r, 2, 2, "walls");
-  CHECK(r.planes == coefficients_of(s.planes)); // unrelated planes stay as they are
-  CHECK_AT(r.maximum_distance < .2, "estimated " + std::to_string(r.maximum_distance));
-  // five degrees of two walls of length 2 are 0.044 at most at their ends
-  const Result tolerant = regularized_within(s, .2);
-  check_groups(tolerant, 1, 2, "a large maximum_distance");
-  check_equal(tolerant.maximum_distance, .2, "given maximum_distance");
+  CHECK(regularized(s, {8, .05, false, true, true}).orthogonal_groups.size() >= 3);
+  check_groups(regularized_within(s, .1, {}, 0), 8, 8, "relations are worth nothing");
+  Box_scene far = s; // with a point of no plane
+  far.points.push_back({1e9, 0, 0});
+  far.index.push_back(-1);
+  const Result within = regularized_within(far, .1);
+  check_groups(within, 3, 7, "a point far away");
+  check_equal(within.maximum_distance, .1, "given maximum_distance");
 }
 
 // The points of a plane decide, in any order, wherever the plane was said to be.

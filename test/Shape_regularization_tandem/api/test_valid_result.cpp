@@ -70,14 +70,10 @@ using namespace valid_result;
 BOOST_AUTO_TEST_CASE(test_points)
 {
   const std::size_t i = shapes.points(0)[0], j = shapes.points(1)[0];
-  const auto labeled = [](std::size_t at, std::int32_t label) { return [=](Data& d) { set_label(d, at, label); }; };
-  refuse("out of range", labeled(5, 6));
-  refuse("out of range", labeled(5, -2));
   refuse("too far", [=](Data& d) {
     set_label(d, i, 1);
     set_label(d, j, 0);
   });
-  refuse("size", labeled(i, -1));
   const std::size_t least = *std::min_element(shapes.data().size.begin(), shapes.data().size.end());
   refuse("too small", [=](Data& d) { d.parameters.minimum_region_size = least + 1; });
   refuse("oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
@@ -132,16 +128,6 @@ BOOST_AUTO_TEST_CASE(test_connectivity)
         --d.size[0];
       }
   });
-}
-
-// Relations that agree with each other, but not with the planes.
-BOOST_AUTO_TEST_CASE(test_relations)
-{
-  refuse("not listed", [](Data& d) { d.orthogonal_groups.erase(d.orthogonal_groups.begin() + 1); });
-  refuse("twice", [](Data& d) { d.orthogonal_groups.insert(d.orthogonal_groups.begin(), d.orthogonal_groups[0]); });
-  refuse("fixed direction", [](Data& d) { d.fixed_direction.assign(3, -1); });
-  refuse("symmetry", [](Data& d) { d.symmetry_group.assign(3, -1); });
-  refuse("flipped", [](Data& d) { d.is_flipped[0] = !d.is_flipped[0]; });
 }
 
 BOOST_AUTO_TEST_CASE(test_results_of_nothing)

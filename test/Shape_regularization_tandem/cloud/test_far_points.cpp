@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Few points that are too far for the grid are left free and counted, and the others have the shapes that they have
-// alone. Where they are many the cloud is refused, as before.
+// alone. Where they are many the cloud is refused: see test_bad_input.
 
 #include "testing/test_support.h"
 
@@ -64,14 +64,6 @@ BOOST_AUTO_TEST_CASE(few_far_points)
 {
   check_far_points(20, {0, 0, 0});
   check_far_points(3, {1e12, -1e9, 1e11});
-}
-
-// 600 of 8600 points are copies of one point in another place.
-BOOST_AUTO_TEST_CASE(many_far_points)
-{
-  Cloud many = moved_house();
-  many.insert(many.end(), 600, {Kernel::Point_3(0, 0, 0), Kernel::Vector_3(0, 0, 1)});
-  check_throws<std::range_error>([&] { detect(many, make_parameters(.02, 60)); }, {"maximum_distance"}, __LINE__);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

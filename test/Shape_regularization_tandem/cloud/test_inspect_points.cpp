@@ -100,19 +100,6 @@ struct Test_upload {
   std::size_t bytes = 0;
 };
 
-template <class K>
-Pairs<K> random_cloud(std::size_t n)
-{
-  scenes::Random random(3);
-  Pairs<K> cloud;
-  for(std::size_t i = 0; i < n; ++i) {
-    const scenes::Vec p = random.direction(), v = random.direction();
-    using FT = typename K::FT;
-    cloud.emplace_back(typename K::Point_3(FT(p.x), FT(p.y), FT(p.z)), typename K::Vector_3(FT(v.x), FT(v.y), FT(v.z)));
-  }
-  return cloud;
-}
-
 bool is_same(const Import& a, const Import& b)
 {
   const auto is_same_vector = [](const Vector& v, const Vector& w) { return v.x == w.x && v.y == w.y && v.z == w.z; };
@@ -147,7 +134,8 @@ void test_kernel(const std::string& name)
 {
   using FT = typename K::FT;
   for(std::size_t n : {1, 999, 1001, 65536, 70000}) {
-    Pairs<K> cloud = random_cloud<K>(n);
+    Pairs<K> cloud = make_pairs<K>(make_box_cloud(12000));
+    cloud.resize(n);
     const std::string what = name + ", " + std::to_string(n) + " points";
     test_pieces<K, Second<K>>(what, cloud, false);
     test_pieces<K, CGAL::Default>(what + " without normals", cloud, false);

@@ -3,19 +3,16 @@
 //
 // Surfels against a map of cubes that are counted in plain arithmetic, of points with one tolerance and with tolerances
 // of their own, whose cubes are smaller by octaves: which points surfels have, where they are, their normals and
-// levels, the cells that they are in, the octree of all cubes, and which ones join. No surfel, joined or not, has
-// points of two layers that are 1.1 epsilon apart.
+// levels, the cells that they are in, and which ones join.
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -111,29 +108,6 @@ Cube cube_of(const Grid_point& p, const Grid_point& low, double edge, int octave
     return std::int64_t(std::floor((double(v) - from) * (1 / edge) * std::pow(2, octave)));
   };
   return {at(p.x, low.x), at(p.y, low.y), at(p.z, low.z)};
-}
-
-// Keys ascend along an octree of cubes: for each octave, those of a cube and of all smaller ones within are
-// consecutive.
-void check_octree(const Case& c, const Leveled_points& p)
-{
-  const Code_frame frame = make_code_frame(p.low, p.high, c.cells);
-  CHECK_AT(frame.has_surfels(), c.text());
-  std::multimap<std::uint64_t, std::size_t> by_key;
-  for(std::size_t i = 0; i < p.point.size(); ++i)
-    by_key.emplace(frame.code(p.point[i], p.level[i]), i);
-  for(int octave = 0; octave <= c.cells.octaves; ++octave) {
-    std::set<Cube> seen;
-    Cube last = {-1, -1, -1};
-    for(const auto& [key, i] : by_key) {
-      if(naive_octave(p.level[i], c.cells.octaves) < octave)
-        continue;
-      const Cube cube = cube_of(p.point[i], p.low, c.cells.edge, octave);
-      CHECK_AT(cube == last || seen.insert(cube).second,
-               c.text() + ": keys of two cubes of octave " + std::to_string(octave));
-      last = cube;
-    }
-  }
 }
 
 // What the engine makes of the points.
@@ -244,12 +218,6 @@ BOOST_AUTO_TEST_CASE(surfels_of_cubes)
                         {{333.3, 5}, 1500, 5000, false}, {{4e6, most}, 200000000, 6000, true}};
   for(const Case& c : cases) {
     const Leveled_points p = random_points(c);
-    check_octree(c, p);
-    Sequential_backend sequential;
-    for(const std::size_t cell_size : {50u, 80u, 300u, 8192u}) {
-      Surfel_cloud<Sequential_backend> s(sequential, p, c.cells, cell_size);
-      check_cells(s, cell_size, c.text() + ", cells of " + std::to_string(cell_size));
-    }
     on_body_backends([&](auto backend, const std::string& name) { check_surfels(backend, name, c, p); });
   }
 }
@@ -303,49 +271,6 @@ BOOST_AUTO_TEST_CASE(targets_of_joins)
     for(int octave = 0; octave <= octaves; ++octave)
       CHECK_AT(joined[std::size_t(octave)] > 0, name + ": none joins in octave " + std::to_string(octave));
   });
-}
-
-// Two layers of random direction, 1.1 epsilon apart, of points in heaps, so that surfels join. Returns whether they
-// did.
-bool check_layers(std::uint64_t seed)
-{
-  scenes::Random random(seed);
-  const double epsilon = .7;
-  const scenes::Vec n = random.direction(), u = unit(cross(n, random.direction())), v = cross(n, u);
-  Cloud cloud;
-  std::vector<int> layer;
-  for(int heap = 0; heap < 300; ++heap) {
-    const double a = 40 * random.uniform(), b = 40 * random.uniform();
-    for(int i = 0; i < 12; ++i) {
-      layer.push_back(i % 2);
-      add(cloud,
-          (1.1 * epsilon * layer.back()) * n + (a + .2 * random.gaussian()) * u + (b + .2 * random.gaussian()) * v, n);
-    }
-  }
-  Sequential_backend backend;
-  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, ::First<Kernel>, ::Second<Kernel>, CGAL::Sequential_tag>;
-  Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), ::First<Kernel>(), ::Second<Kernel>()));
-  const Parameters p = make_parameters(epsilon, 20);
-  choose_grid(in, p);
-  Labeled_cloud<Sequential_backend> points(backend);
-  points.cloud.k = int(p.k_neighbors);
-  sort_points(backend, in, p.cell_size, points.cloud, points.cells);
-  const std::size_t before = points.cloud.size();
-  connect_cloud(points, in, make_options(in, p).tight);
-  const Surfels_view surfels = points.cloud.surfels();
-  for(std::uint32_t i = 0; i < points.cloud.size(); ++i)
-    for(std::uint32_t q = surfels.points(i).first; q < surfels.points(i).last; ++q)
-      CHECK_AT(layer[points.cloud.order[q]] == layer[points.cloud.order[surfels.points(i).first]],
-               "a surfel has points of two layers, seed " + std::to_string(seed));
-  return points.cloud.size() < before;
-}
-
-BOOST_AUTO_TEST_CASE(layers)
-{
-  int joined = 0;
-  for(std::uint64_t seed = 1; seed <= 20; ++seed)
-    joined += check_layers(seed);
-  CHECK_AT(joined > 5, "surfels were joined in " + std::to_string(joined) + " of 20 clouds");
 }
 
 // A cloud too wide for surfels has none, and far points need no more than 64 bits.

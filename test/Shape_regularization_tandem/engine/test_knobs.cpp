@@ -1,44 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters simplicity, regularity and regularity_period: what they change, at which values, and that the score
-// has them.
+// The parameters simplicity and regularity_period: what they change, and at which values. For regularity see
+// test_analytic_scenes.
 
 #include "testing/test_support.h"
-
-#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
 BOOST_AUTO_TEST_SUITE(test_knobs)
 
 namespace np = CGAL::Tandem::parameters;
-
-constexpr std::size_t points_of_wall = 4000;
-
-// Two walls, 4 m wide, 3 m high, that lean by .2 degrees, and a floor. Noise of a centimeter.
-Cloud make_leaning_walls()
-{
-  using scenes::Vec;
-  const double lean = .2 * .017453292519943295;
-  scenes::Random random(1);
-  Cloud cloud;
-  for(const auto& [corner, u, v] :
-      {std::make_tuple(Vec{0, 0, 0}, Vec{0, 4, 0}, Vec{0, 0, 3}),
-       std::make_tuple(Vec{5, 0, 0}, Vec{4 * std::sin(lean), 4 * std::cos(lean), 0}, Vec{0, 0, 3}),
-       std::make_tuple(Vec{0, 0, 0}, Vec{5, 0, 0}, Vec{0, 4, 0})}) {
-    const Vec n = scenes::unit(scenes::cross(u, v));
-    for(std::size_t i = 0; i < points_of_wall; ++i)
-      add(cloud, corner + random.uniform() * u + random.uniform() * v + .01 * random.gaussian() * n, n);
-  }
-  return cloud;
-}
-
-Parameters with(double epsilon, std::size_t minimum_size, double simplicity, double regularity)
-{
-  Parameters p = make_parameters(epsilon, minimum_size);
-  p.simplicity = simplicity;
-  p.regularity = regularity;
-  return p;
-}
 
 // A floor that sags by 1.5 epsilon is one shape where size is worth much, and is cut where it is worth nothing.
 BOOST_AUTO_TEST_CASE(test_bent_floor)
@@ -52,42 +22,12 @@ BOOST_AUTO_TEST_CASE(test_bent_floor)
     add(cloud, {x * width / 2, (random.uniform() - .5) * width, height}, {-slope, 0, 1});
   }
   std::vector<std::size_t> number;
-  for(const double simplicity : {0., .04, .3, 1.})
-    number.push_back(detect_valid("bent floor", cloud, with(epsilon, 200, simplicity, .1)).number_of_shapes());
+  Parameters p = make_parameters(epsilon, 200);
+  for(const double simplicity : {0., .04, .3, 1.}) {
+    p.simplicity = simplicity;
+    number.push_back(detect_valid("bent floor", cloud, p).number_of_shapes());
+  }
   CHECK(std::is_sorted(number.rbegin(), number.rend()) && number[0] > 1 && number[2] == 1);
-}
-
-// Without a worth no walls are parallel, and none is at a right angle to the floor.
-BOOST_AUTO_TEST_CASE(test_leaning_walls)
-{
-  const Cloud cloud = make_leaning_walls();
-  const auto find = [&](double regularity) {
-    return detect_valid("leaning walls", cloud, with(.03, 100, .04, regularity));
-  };
-  check_counts("leaning walls without regularity", find(0), 3, 3, 3);
-  check_counts("leaning walls", find(.01), 3, 3, 3);
-  for(const double regularity : {.3, 10.})
-    check_counts("parallel walls", find(regularity), 3, 2, 3);
-  CHECK(find(0).orthogonal_groups().empty() && find(.3).orthogonal_groups().size() == 1);
-}
-
-// The same relations for planes that another method has found. A point of no plane does not matter, wherever it is.
-BOOST_AUTO_TEST_CASE(test_given_planes)
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<int> index;
-  for(const auto& item : make_leaning_walls()) {
-    index.push_back(int(points.size() / points_of_wall));
-    points.push_back(item.first);
-  }
-  points.emplace_back(1e9, 0, 0);
-  index.push_back(-1);
-  for(const double regularity : {0., .3}) {
-    std::vector<Kernel::Plane_3> planes = {{1, 0, 0, 0}, {1, -.0035, 0, -5}, {0, 0, 1, 0}};
-    const auto list = np::plane_index_map(CGAL::make_property_map(index)).maximum_angle(8).maximum_distance(.03);
-    const auto relations = CGAL::Tandem::regularize_planes(planes, points, list.regularity(regularity));
-    check_equal(relations.number_of_parallel_groups(), regularity == 0 ? 3u : 2u, "directions of given planes");
-  }
 }
 
 // Whatever the period of the alternation is, the result is valid and regularized; 1 is the method. Between two

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tolerances of points: each point is within its own, a constant one is that of the detection bit for bit, a depth
-// camera gets the planes of its scene, near layers stay apart where far noise is wider than their distance, and points
-// without a tolerance have no shape. Bounds: a maximum_distance above all of them, infinite, tiny and no valid ones.
+// camera gets the planes of its scene, and points without a tolerance have no shape. Bounds: a maximum_distance above
+// all of them, infinite, tiny and no valid ones.
 
 #include "testing/tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <limits>
 #include <map>
@@ -18,32 +20,21 @@ using Limits = std::numeric_limits<double>;
 
 const std::size_t least = 40;
 
-// One for each item of a range of pairs, by its place there.
-struct Listed_tolerance {
-  using key_type = Cloud::value_type;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-
-  const Cloud* cloud;
-  const std::vector<double>* tolerance;
-
-  friend double get(const Listed_tolerance& map, const key_type& item)
-  {
-    return (*map.tolerance)[std::size_t(&item - map.cloud->data())];
-  }
-};
-
 struct Leveled_cloud {
   Cloud cloud;
   std::vector<double> tolerance;
 
+  // One for each item, by its place in the cloud.
+  auto map() const
+  {
+    return boost::make_function_property_map<Cloud::value_type>(
+      [this](const Cloud::value_type& item) { return tolerance[std::size_t(&item - cloud.data())]; });
+  }
   template <class Tag>
   Shapes detect_with(const Parameters& p, Given given) const
   {
     return detect_with_tolerances<Tag>(cloud, p, map(), given);
   }
-  Listed_tolerance map() const { return {&cloud, &tolerance}; }
   std::string violation(const Shapes& shapes, Given given = Given::normals) const
   {
     return violation_with_tolerances(cloud, shapes, map(), given);
@@ -111,22 +102,45 @@ BOOST_AUTO_TEST_CASE(test_constant_tolerance)
     // Epsilon is that of the tolerances, too.
     c.tolerance.assign(c.cloud.size(), .04);
     check_same(c.detect("estimated", estimated, given), expected, "estimated");
+    // As without a map.
+    c.tolerance.assign(c.cloud.size(), HUGE_VAL);
+    check_same(c.detect("infinite", estimated, given), detect(c.cloud, estimated, given), "infinite");
+  }
+}
+
+// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances, and
+// those without a number are as if they had the bound that follows from the others.
+BOOST_AUTO_TEST_CASE(test_bounds)
+{
+  Leveled_cloud all = make_leveled(5000);
+  Leveled_cloud some = all;
+  for(std::size_t i = 0; i < some.tolerance.size(); i += 4)
+    some.tolerance[i] = HUGE_VAL;
+  const double largest = *std::max_element(all.tolerance.begin(), all.tolerance.end());
+  for(const auto& [c, bound, low, high] :
+      {std::make_tuple(&all, 1.0001 * largest, largest, largest), std::make_tuple(&all, 1e100, largest, largest),
+       std::make_tuple(&all, .02, .02, .02), std::make_tuple(&some, 0., .03, .045)}) {
+    const std::string name = "bound " + CGAL::Tandem::to_text(bound);
+    Parameters p = make_parameters(bound, least);
+    p.maximum_offset = (std::min)(bound, largest);
+    const Shapes shapes = c->detect(name, p);
+    const double epsilon = shapes.parameters().maximum_distance;
+    CHECK_AT(epsilon >= low && epsilon <= high && shapes.number_of_shapes() > 0, name + ": " + std::to_string(epsilon));
+    check_same(shapes, c->bounded(epsilon).detect("bounded", make_parameters(epsilon, least)), name);
   }
 }
 
 // The planes of the scene, and no others: each label has one plane, and each plane one label.
 BOOST_AUTO_TEST_CASE(test_depth_camera)
 {
-  for(const auto& [seed, at_one] :
-      {std::make_pair(1, CGAL::Tandem::distance_of_noise(.0028)),
-       std::make_pair(2, CGAL::Tandem::distance_of_noise(.0028)), std::make_pair(4, 3 * .0028)}) {
-    scenes::Random random{std::uint64_t(seed)};
-    const Corridor corridor(160 + 20 * seed, 120, 4.2 + .4 * seed, random);
+  Parameters parameters;
+  parameters.minimum_region_size = 60;
+  for(const std::uint64_t seed : {1, 2}) {
+    scenes::Random random(seed);
+    const Corridor corridor(200, 120, 4.2 + .4 * double(seed), random);
     Leveled_cloud c = {corridor.cloud, {}};
     for(const auto& item : c.cloud)
-      c.tolerance.push_back(at_one * (item.first - CGAL::ORIGIN).squared_length());
-    Parameters parameters;
-    parameters.minimum_region_size = 60;
+      c.tolerance.push_back(CGAL::Tandem::distance_of_noise(.0028) * (item.first - CGAL::ORIGIN).squared_length());
     for(const Given given : {Given::normals, Given::nothing}) {
       const std::string name = "seed " + std::to_string(seed) + (given == Given::normals ? "" : ", own normals");
       const Shapes shapes = c.detect(name, parameters, given);
@@ -145,65 +159,6 @@ BOOST_AUTO_TEST_CASE(test_depth_camera)
       CHECK_AT(shapes.statistics().coverage > .95, name);
     }
   }
-}
-
-// Two layers near the origin, closer to each other than the tolerance of what is far.
-BOOST_AUTO_TEST_CASE(test_layers_beside_noise)
-{
-  scenes::Random random(8);
-  Leveled_cloud c;
-  for(int i = 0; i < 6000; ++i) {
-    const double a = random.uniform(), b = random.uniform();
-    add(c.cloud, {a - .5, b - .5, (i % 2 == 0 ? .012 : 0) + .001 * random.gaussian()}, {0, 0, 1});
-    add(c.cloud, {8 * a - 4, 8 * b - 4, 10 + .05 * random.gaussian()}, {0, 0, 1});
-  }
-  for(const auto& item : c.cloud)
-    c.tolerance.push_back(.003 + .0016 * (item.first - CGAL::ORIGIN).squared_length());
-  Parameters parameters;
-  parameters.minimum_region_size = 100;
-  const Shapes shapes = c.detect("two layers", parameters);
-  check_equal(shapes.number_of_shapes(), std::size_t(3), "two layers, and noise far away");
-  for(std::size_t i = 0; i < c.cloud.size(); i += 4)
-    CHECK_AT(shapes.shape_index(i) < 0 || shapes.shape_index(i) != shapes.shape_index(i + 2),
-             "points of both layers in one shape: " + std::to_string(i));
-}
-
-// Epsilon is not larger than the largest tolerance. A smaller one is that of all points with larger tolerances.
-BOOST_AUTO_TEST_CASE(test_bounds)
-{
-  const Leveled_cloud c = make_leveled(5000);
-  const double largest = *std::max_element(c.tolerance.begin(), c.tolerance.end());
-  const Shapes expected = c.detect("largest", make_parameters(largest, least));
-  CHECK(expected.number_of_shapes() > 4);
-  for(const double bound : {1.0001 * largest, 1e100}) {
-    Parameters p = make_parameters(bound, least);
-    p.maximum_offset = largest;
-    const std::string name = "bound " + std::to_string(bound);
-    const Shapes shapes = c.detect(name, p);
-    check_equal(shapes.parameters().maximum_distance, largest, name);
-    check_same(shapes, expected, name);
-  }
-  const Parameters p = make_parameters(.02, least);
-  check_same(c.detect("smaller", p), c.bounded(.02).detect("bounded", p), "a smaller bound");
-}
-
-// Some, without a number: as if they had the bound that follows from the others. All: as without a map.
-BOOST_AUTO_TEST_CASE(test_infinite)
-{
-  Leveled_cloud c = make_leveled(5000);
-  for(std::size_t i = 0; i < c.tolerance.size(); i += 4)
-    c.tolerance[i] = HUGE_VAL;
-  Parameters p;
-  p.minimum_region_size = least;
-  const Shapes some = c.detect("some infinite", p);
-  const double epsilon = some.parameters().maximum_distance;
-  CHECK_AT(epsilon > .03 && epsilon <= .045, "epsilon beside infinite tolerances: " + std::to_string(epsilon));
-  CHECK(some.number_of_shapes() > 4);
-  check_same(some, c.bounded(epsilon).detect("bounded", make_parameters(epsilon, least)), "some infinite");
-  c.tolerance.assign(c.cloud.size(), HUGE_VAL);
-  const Shapes all = c.detect("all infinite", p), none = detect(c.cloud, p);
-  check_equal(all.parameters().maximum_distance, none.parameters().maximum_distance, "all infinite: estimate");
-  check_same(all, none, "all infinite");
 }
 
 // Each tenth point has none, or one that no distance is within; or all have.

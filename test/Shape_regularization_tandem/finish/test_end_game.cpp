@@ -1,20 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What detections end with. Relations must not lose faces of hardly more than the minimum size, and points that fit a
-// shape around them must not be free. A bent floor is cut as the score says. Planes lie in the middle of their points.
-// Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
+// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the
+// middle of their points. Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_end_game)
@@ -45,79 +41,6 @@ BOOST_AUTO_TEST_CASE(small_faces)
   check_equal(shapes.number_of_shapes(), std::size_t(1 + columns * columns), "a floor and small faces over it");
 }
 
-// Each free point is far from the planes of the shapes of its neighbors, or turned away from them. Those that the exact
-// check frees, and those of slabs of clutter, may be near.
-BOOST_AUTO_TEST_CASE(free_points)
-{
-  const Cloud cloud = to_cloud(scenes::make_scene("part", scene_options(30000, .0003, .03)));
-  const Parameters parameters = make_parameters(epsilon, 200);
-  const Shapes shapes = detect(cloud, parameters);
-  const double cosine = cosine_deg(parameters.maximum_angle);
-  std::size_t free = 0, near = 0;
-  for(std::size_t i = 0; i < cloud.size(); ++i) {
-    if(shapes.shape_index(i) >= 0)
-      continue;
-    ++free;
-    std::vector<std::pair<double, std::size_t>> neighbor;
-    for(std::size_t j = 0; j < cloud.size(); ++j)
-      neighbor.emplace_back((cloud[j].first - cloud[i].first).squared_length(), j);
-    std::nth_element(neighbor.begin(), neighbor.begin() + 12, neighbor.end());
-    near += std::any_of(neighbor.begin(), neighbor.begin() + 13, [&](const auto& n) {
-      if(shapes.shape_index(n.second) < 0)
-        return false;
-      const auto& c = shapes.coefficients(std::size_t(shapes.shape_index(n.second)));
-      const Kernel::Vector_3 normal(c[0], c[1], c[2]);
-      return std::fabs(normal * (cloud[i].first - CGAL::ORIGIN) + c[3]) <= .999 * parameters.maximum_distance &&
-             std::fabs(normal * cloud[i].second) >= cosine * 1.001;
-    });
-  }
-  CHECK_AT(free > 300 && 300 * near <= free,
-           std::to_string(near) + " of " + std::to_string(free) + " free points fit the shape of a neighbor");
-}
-
-// A floor of 6 by 6 at a height, with noise, that sags at two ends. Lengths are in epsilons.
-void add_floor(Cloud& cloud, std::size_t points, double noise, double height, double sag)
-{
-  scenes::Random random(points);
-  for(std::size_t i = 0; i < points; ++i) {
-    const double x = 2 * random.uniform() - 1, y = 2 * random.uniform() - 1, slope = -2 * sag * epsilon * x / 3;
-    add(cloud, {3 * x, 3 * y, epsilon * (height - sag * x * x + noise * random.gaussian())},
-        unit(scenes::Vec{-slope, 0, 1}));
-  }
-}
-
-// n equal pieces of a parabola lose 4 / 45 (sag / n^2)^2 of a point each, in the mean, and the bonus for size
-// mu log2(n). The floor has about as many shapes as the score is largest for: where it is cut first depends on the
-// points.
-void check_bent_floor(double sag)
-{
-  const auto loss = [&](double n) {
-    return 4. / 45 * std::pow(sag / (n * n), 2) + Parameters().simplicity * std::log2(n);
-  };
-  double best = 1;
-  while(loss(best + 1) < loss(best))
-    ++best;
-  const std::size_t clouds = 3;
-  double share = 0, number = 0;
-  for(std::size_t c = 0; c < clouds; ++c) {
-    Cloud cloud;
-    add_floor(cloud, 30000 + c, .05, 0, sag);
-    const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
-    number += double(shapes.number_of_shapes()) / clouds;
-    if(shapes.number_of_shapes() > 0)
-      share += double(shapes.size(0)) / double(cloud.size() * clouds);
-  }
-  CHECK_AT(number <= best + 1 && share >= .95 / (best + 1),
-           "sag " + std::to_string(sag) + ", best cut into " + std::to_string(int(best)) + ": " +
-             std::to_string(number) + " shapes, the largest one with " + std::to_string(share) + " of the points");
-}
-
-BOOST_AUTO_TEST_CASE(bent_floors)
-{
-  for(double sag : {.5, 1., 2., 4.})
-    check_bent_floor(sag);
-}
-
 // A plane lies in the middle of all points of its shapes; without any it stays.
 BOOST_AUTO_TEST_CASE(center_of_planes)
 {
@@ -134,33 +57,6 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
   }
   center_planes(shapes, r);
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
-}
-
-// Of the points of each coplanar group; a shape without partner is one. Points that only the last checks have freed are
-// missing, so the mean is near zero only.
-BOOST_AUTO_TEST_CASE(centers)
-{
-  for(const char* name : {"house", "indoor", "village"})
-    for(Given given : {Given::normals, Given::nothing}) {
-      const double noise = given == Given::normals ? .001 : .0003;
-      const std::string where = name + std::string(given == Given::normals ? "" : ", normals are estimated");
-      const scenes::Scene scene = scenes::make_scene(name, scene_options(20000, noise, .05));
-      const Cloud cloud = to_cloud(scene);
-      const double distance = 3 * noise * scene.diagonal;
-      const Shapes shapes = detect_valid(where, cloud, make_parameters(distance, 60), given);
-      std::vector<double> sum(shapes.number_of_coplanar_groups(), 0), count = sum;
-      for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-        for(std::size_t i : shapes.points(s)) {
-          const auto& c = shapes.coefficients(s);
-          const auto& p = cloud[i].first;
-          sum[shapes.coplanar_group(s)] += c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
-          ++count[shapes.coplanar_group(s)];
-        }
-      for(std::size_t g = 0; g < sum.size(); ++g)
-        check_close(sum[g] / (distance * count[g]), 0, .05,
-                    where + ": mean distance, in epsilons, of group " + std::to_string(g));
-      CHECK_AT(sum.size() > 10, where + ": few planes");
-    }
 }
 
 // Near neighbors and all, by shape; of the labels, and where many shapes have two slots. Eleven of twenty near ones

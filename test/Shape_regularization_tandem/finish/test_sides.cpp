@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The side of an edge that a point is on, where normals are estimated: the body against a naive version on several back
-// ends, edges of known faces, and given normals, which decide by themselves.
+// ends. Given normals decide by themselves: on the wrong side they are too oblique for its plane.
 
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
 
 #include <cmath>
-#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -153,55 +152,6 @@ BOOST_AUTO_TEST_CASE(bodies)
       check_normals(normal, normal_of_fit);
     });
   }
-}
-
-constexpr double sigma = 0.01, epsilon = 3 * sigma, width = 2;
-
-// Two faces that meet at x = z = 0 at the given angle, with noise and exact normals. Nobody can tell the sides of all
-// points: displaced by noise, a point at depth d crosses the bisector of the faces with the probability of a normal
-// deviate beyond d sin(angle / 2) / sigma. `possible` is the mean of the rest over 3 sigma. With given normals, a point
-// beyond the edge has that of its face, so it stays there.
-void check_edge(double degrees, double possible, Given given)
-{
-  const std::string name = "edge of " + std::to_string(int(degrees)) + " degrees";
-  constexpr std::size_t points_of_face = 60000;
-  scenes::Random random(7);
-  Cloud cloud;
-  std::vector<std::size_t> near; // points within 3 sigma of the edge
-  for(double turn : {0., degrees * 0.017453292519943295})
-    for(std::size_t i = 0; i < points_of_face; ++i) {
-      const double depth = width * random.uniform(), y = width * random.uniform();
-      if(depth < 3 * sigma)
-        near.push_back(cloud.size());
-      add(cloud, scenes::Vec{-std::cos(turn) * depth, y, -std::sin(turn) * depth} + sigma * random.gaussian_vector(),
-          {-std::sin(turn), 0, std::cos(turn)});
-    }
-  const Shapes shapes = detect_valid(name, cloud, points_only(epsilon, 200), given);
-  int shape_of[2] = {-1, -1}; // that of most points of a face
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const auto list = shapes.points(s);
-    const std::size_t first =
-      std::size_t(std::count_if(list.begin(), list.end(), [&](auto i) { return i < points_of_face; }));
-    for(std::size_t face : {0, 1})
-      if((face == 0 ? first : list.size() - first) > points_of_face / 2)
-        shape_of[face] = int(s);
-  }
-  CHECK_AT(shape_of[0] >= 0 && shape_of[1] >= 0 && shape_of[0] != shape_of[1], name + ": two faces have two shapes");
-  double right = 0, wrong = 0;
-  for(std::size_t i : near) {
-    right += shapes.shape_index(i) == shape_of[i < points_of_face ? 0 : 1];
-    wrong += shapes.shape_index(i) == shape_of[i < points_of_face ? 1 : 0];
-  }
-  CHECK_AT(given == Given::nothing || wrong == 0, name + ": points on the wrong side: " + std::to_string(wrong));
-  CHECK_AT(right > (possible - .03) * (right + wrong), name + ": on the right side " + std::to_string(right));
-  CHECK_AT(right + wrong > .8 * double(near.size()), name + ": points are left out");
-}
-
-BOOST_AUTO_TEST_CASE(edges)
-{
-  check_edge(90, .814, Given::nothing);
-  check_edge(135, .856, Given::nothing);
-  check_edge(90, 1, Given::normals);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,16 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables of the host: pages that are kept, tables that are shared, memory that is filled for tests.
+// Tables of the host: pages that are kept, memory that is filled for tests.
 
 #include "testing/checks.h"
 
-#include <CGAL/Tandem/Shared_table.h>
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_host_tables)
 
@@ -78,16 +75,6 @@ BOOST_AUTO_TEST_CASE(test_detection)
   CHECK(is_kept(0));
   longer.release();
   CHECK(is_kept(0));
-}
-
-// Copies share the items.
-BOOST_AUTO_TEST_CASE(test_shared_table)
-{
-  CHECK(CGAL::Tandem::Shared_table<int>().empty());
-  Host_buffer<int> buffer(3);
-  std::iota(buffer.begin(), buffer.end(), 0);
-  const CGAL::Tandem::Shared_table<int> table(std::move(buffer)), copy = table;
-  CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
 }
 
 // Tests that fill unset memory rely on it: new memory, kept pages, and what is set again.

@@ -84,8 +84,8 @@ std::pair<int, int> count_related(const Shapes& shapes, int k)
   return count;
 }
 
-// A direction that is too far from the shapes, or that costs their points too much, has no effect: a face of 6 x 4 turned
-// by 7 degrees is far outside of epsilon.
+// A direction that is too far from the shapes, or that costs their points too much, has no effect: a face of 6 x 4
+// turned by 7 degrees is far outside of epsilon.
 BOOST_AUTO_TEST_CASE(fixed_direction)
 {
   for(double lean : {0., .2, 7.}) {
@@ -114,7 +114,8 @@ std::vector<std::size_t> roof_groups(const Shapes& shapes)
   return roof;
 }
 
-// With symmetry the sides of the roof have one slope, which detect_valid() checks, and stay orthogonal to the gable walls.
+// With symmetry the sides of the roof have one slope, which detect_valid() checks, and stay orthogonal to the gable
+// walls.
 BOOST_AUTO_TEST_CASE(symmetry)
 {
   const Cloud cloud = make_house(.2, .5);
@@ -154,19 +155,6 @@ BOOST_AUTO_TEST_CASE(equal_directions)
   CHECK_AT(options.symmetry_axis.front() == fixed.front(), "the axis is the fixed direction that it equals");
 }
 
-// Named parameters, with vectors of the kernel.
-BOOST_AUTO_TEST_CASE(named_parameters)
-{
-  const Cloud cloud = make_house(.2, .5);
-  const std::vector<Kernel::Vector_3> directions = {Kernel::Vector_3(1, 0, 0)};
-  const auto list = np::maximum_distance(epsilon).minimum_region_size(100).point_map(First<Kernel>());
-  const Shapes shapes = CGAL::Tandem::detect_planes(
-    cloud, list.fixed_directions(directions).symmetry_direction(Kernel::Vector_3(0, 0, -5)));
-  CHECK_AT(shapes.parameters().regularize_axis_symmetry, "given");
-  CHECK_AT((shapes.parameters().fixed_directions == std::vector<Direction>{{1, 0, 0}}), "given");
-  CHECK_AT(count_related(shapes, 0).first == 1, "the walls along y");
-}
-
 // The same for planes of another detector.
 BOOST_AUTO_TEST_CASE(given_planes)
 {
@@ -177,14 +165,10 @@ BOOST_AUTO_TEST_CASE(given_planes)
   const Shapes found = detect(cloud, p);
   std::vector<Kernel::Plane_3> planes = found.planes();
   const std::vector<Direction> directions = {vertical};
+  const auto list = np::point_map(First<Kernel>()).plane_index_map(CGAL::Tandem::shape_index_map(found));
+  const auto within = list.maximum_distance(epsilon).maximum_angle(8);
   const CGAL::Tandem::Plane_relations r =
-    CGAL::Tandem::regularize_planes(planes, cloud,
-                                    np::point_map(First<Kernel>())
-                                      .plane_index_map(CGAL::Tandem::shape_index_map(found))
-                                      .maximum_distance(epsilon)
-                                      .maximum_angle(8)
-                                      .fixed_directions(directions)
-                                      .symmetry_direction(vertical));
+    CGAL::Tandem::regularize_planes(planes, cloud, within.fixed_directions(directions).symmetry_direction(vertical));
   int horizontal = 0, walls = 0;
   for(std::size_t s = 0; s < planes.size(); ++s) {
     const Kernel::Vector_3 n = planes[s].orthogonal_vector();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel and coplanar groups are the same as by a look at all pairs, in the definition. By their prices, shapes are
-// related exactly where that is worth more than what their points lose, and none loses more than its relations are worth.
+// related exactly where that is worth more than what their points lose, and none loses more than its relations are
+// worth.
 
 #include "testing/direction_families.h"
 #include "testing/rectangles.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -259,7 +259,8 @@ BOOST_AUTO_TEST_CASE(right_angle)
 }
 
 // No group loses more than the price of a degree of freedom by right angles, and no shape more than that of a direction
-// by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are known.
+// by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are
+// known.
 BOOST_AUTO_TEST_CASE(losses)
 {
   std::size_t released = 0, right_angles = 0;
@@ -295,31 +296,6 @@ BOOST_AUTO_TEST_CASE(losses)
     right_angles += orthogonal_pairs(r.directions).size();
   }
   check(released > 0 && right_angles > 300, "shapes that left their groups", double(released), double(right_angles));
-}
-
-// The order of shapes of different sizes does not matter.
-BOOST_AUTO_TEST_CASE(order)
-{
-  for(int seed = 0; seed < 20; ++seed) {
-    Random random(seed);
-    Shape_fits shapes = random_plates(random, 200, 1 + random.below(20), 2 * random.uniform()), shuffled;
-    for(std::size_t i = 0; i < shapes.size(); ++i)
-      shapes[i].scatter.count += .001 * double(i);
-    const Regularity_options o = all_on(std::exp(6 * random.uniform()));
-    std::vector<int> order = all_of(shapes);
-    std::shuffle(order.begin(), order.end(), random.engine);
-    for(int i : order)
-      shuffled.push_back(shapes[std::size_t(i)]);
-    const Relations r = run(shapes, o), s = run(shuffled, o);
-    std::set<std::pair<int, int>> directions, planes;
-    for(std::size_t k = 0; k < order.size(); ++k) {
-      directions.insert({s.direction_of[k], r.direction_of[std::size_t(order[k])]});
-      planes.insert({s.plane_of[k], r.plane_of[std::size_t(order[k])]});
-    }
-    for(const Relations* one : {&r, &s})
-      CHECK_AT(one->directions.size() == directions.size() && one->planes.size() == planes.size(),
-               "groups of a permutation, seed " + std::to_string(seed));
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,31 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// closed_surface(): closed two-manifolds, the same in every unit and with copies of points, and what it refuses. The volumes
-// of a house, and of houses of airborne scans, whose walls have no points.
+// closed_surface(): closed two-manifolds, the same in every unit, and what it refuses. The volumes of houses of
+// airborne scans, whose walls have no points.
 
 #include "testing/check_closed_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <random>
-#include <set>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_closed_surface)
-
-// Copies of points change nothing.
-BOOST_AUTO_TEST_CASE(copies_of_points)
-{
-  std::vector<Epick::Point_3> points;
-  for(const Box_point& item : make_box_cloud(400))
-    for(int copy = 0; copy < 30; ++copy)
-      points.emplace_back(item.position[0], item.position[1], item.position[2]);
-  const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.02).minimum_region_size(50));
-  const Surface box = CGAL::Tandem::closed_surface(shapes, points);
-  CHECK(box.faces.size() == 6 && box.number_of_points > .95 * double(points.size()));
-  checked_volume(box, "copies");
-}
 
 // Six faces in every kernel and in every unit.
 BOOST_AUTO_TEST_CASE(six_faces)
@@ -119,25 +104,6 @@ BOOST_AUTO_TEST_CASE(airborne_scans)
   for(const Epick::Point_3& p : airborne_scan(.5, 3))
     turned.emplace_back(p.x(), p.z(), -p.y());
   check_airborne_volume(turned, Epick::Vector_3(0, 2, 0), volumes[2]);
-}
-
-// No floor, and the ground around it is not a part of it.
-BOOST_AUTO_TEST_CASE(houses)
-{
-  constexpr double volume = 958; // of the solids of the model, less its voids, above the ground
-  const std::pair<std::size_t, double> cases[] = {{50000, .04}, {100000, .03}, {100000, .04}};
-  for(const auto& [number_of_points, maximum_distance] : cases) {
-    const scenes::Scene scene = scenes::make_scene("house", scene_options(number_of_points));
-    std::vector<Epick::Point_3> points;
-    for(const scenes::Vec& p : scene.points)
-      points.emplace_back(p.x, p.y, p.z);
-    const Found_shapes shapes =
-      CGAL::Tandem::detect_planes(points, np::maximum_distance(maximum_distance).minimum_region_size(100));
-    const Surface surface = CGAL::Tandem::closed_surface(shapes, points);
-    check_close(checked_volume(surface, "house") / volume, 1, .03, "volume of the house");
-    const std::set<int> planes(surface.plane_of_face.begin(), surface.plane_of_face.end());
-    CHECK_AT(double(planes.size()) > .8 * double(shapes.number_of_coplanar_groups()), std::to_string(planes.size()));
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
