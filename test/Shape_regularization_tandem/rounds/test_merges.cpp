@@ -141,8 +141,7 @@ void check_cloud(Backend& backend, const Labeled_cloud<Backend>& points, const S
   for(std::size_t id = 0; id < sums.size(); ++id) {
     const Shape &s = shapes.table()[id], &e = expected.after[id];
     atomic_add<Sequential_backend>(sums[id], e.moments, e.box);
-    CHECK_AT(s.age == e.age && s.history.is_fitted == e.history.is_fitted &&
-               s.history.is_linked == e.history.is_linked,
+    CHECK_AT(s.age == e.age && s.history.is_fitted == e.history.is_fitted && s.history.is_linked == e.history.is_linked,
              where + ", shape " + std::to_string(id) + ": age and changes");
   }
   check_moments(shapes, sums, where);
