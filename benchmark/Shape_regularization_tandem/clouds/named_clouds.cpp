@@ -4,7 +4,7 @@
 #include "named_clouds.h"
 #include "label_files.h"
 #include "scenes/scene_normals.h"
-#include "scenes/scene_twins.h"
+#include "scenes/scenes.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -32,19 +32,6 @@ Named_cloud make_cloud(const scenes::Labeled_scene& labeled)
   task.maximum_angle_deg = labeled.alpha_deg;
   task.minimum_region_size = labeled.minimum;
   return cloud_of(labeled.name, std::move(scene), task);
-}
-
-Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed)
-{
-  const scenes::Twin& twin = scenes::twin(name);
-  scenes::Scene scene = scenes::make_twin(twin, points, seed);
-  scene.normals = scenes::pca_normals(scene.points);
-  Task task;
-  task.maximum_distance = twin.epsilon;
-  task.maximum_angle_deg = twin.alpha_deg;
-  task.minimum_region_size = twin.minimum(points);
-  task.cluster_epsilon = twin.gap * std::sqrt(500000. / double(points)); // as the spacing
-  return cloud_of(name, std::move(scene), task);
 }
 
 Named_cloud noisy_house(const House& house)
@@ -164,6 +151,14 @@ void complete_normals(Named_cloud& named)
 
 std::vector<Row> cloud_table() { return read_csv(TANDEM_BENCHMARK_SOURCES "/clouds.csv"); }
 
+Row cloud_row(const std::string& name)
+{
+  for(const Row& row : cloud_table())
+    if(cell(row, "name") == name)
+      return row;
+  throw std::invalid_argument("clouds.csv has no " + name);
+}
+
 bool is_available(const Row& row, const Experiment_options& options)
 {
   if(options.is_quick && points_of(row, options) == 0)
@@ -173,14 +168,7 @@ bool is_available(const Row& row, const Experiment_options& options)
 
 Named_cloud load_cloud(const Row& row, const Experiment_options& options)
 {
-  const std::string scene = cell(row, "scene"), twin = "twin ";
   Named_cloud named;
-  if(scene.compare(0, twin.size(), twin) == 0) {
-    named = twin_cloud(scene.substr(twin.size()), points_of(row, options));
-    named.name = cell(row, "name");
-    named.task.threads = options.threads;
-    return named;
-  }
   named.name = cell(row, "name");
   named.task.maximum_distance = number("epsilon", cell(row, "epsilon"), 0);
   named.task.maximum_angle_deg = number("alpha", cell(row, "alpha"), 0.1, 89.9);

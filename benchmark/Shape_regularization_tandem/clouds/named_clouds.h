@@ -22,6 +22,7 @@ struct Named_cloud {
 
 // The rows of clouds.csv in the folder of the benchmark.
 std::vector<Row> cloud_table();
+Row cloud_row(const std::string& name);
 
 // Whether the cloud of such a row is part of the run: its file is there, and it is for --quick, if that is asked for.
 bool is_available(const Row& row, const Experiment_options& options);
@@ -36,9 +37,6 @@ Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& t
 
 // With normals by PCA of 20 neighbors, or blended ones.
 Named_cloud make_cloud(const scenes::Labeled_scene& scene);
-
-// The twin of a real cloud (scene_twins.h), with the normals of 20 neighbors.
-Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed = 1);
 
 struct House {
   std::size_t points;

@@ -131,11 +131,9 @@ Named_cloud house_for_sweeps(const Experiment_options& options)
 void run_regularity(const Experiment_options& options)
 {
   Trials trials(options, "regularity");
-  const std::size_t points = options.is_quick ? 30000 : 200000;
-  std::vector<Named_cloud> cases = {house_for_sweeps(options)};
-  for(const char* name : {"kinect", "street"})
-    if(!options.is_quick || cases.size() < 2)
-      cases.push_back(twin_cloud(name, points));
+  std::vector<Named_cloud> cases = {house_for_sweeps(options), load_cloud(cloud_row("part"), options)};
+  if(!options.is_quick)
+    cases.push_back(load_cloud(cloud_row("indoor"), options));
   std::vector<double> betas = {0, 1, 2, 4, 8, 12, 16, 24};
   if(options.is_quick)
     betas = {0, 8, 24};
@@ -156,8 +154,8 @@ void run_cell_size(const Experiment_options& options)
   Trials trials(options, "cell-size");
   std::vector<Named_cloud> cases = {house_for_sweeps(options)};
   if(!options.is_quick)
-    for(const char* name : {"kinect", "street"})
-      cases.push_back(twin_cloud(name, 300000));
+    for(const char* name : {"indoor", "village"})
+      cases.push_back(load_cloud(cloud_row(name), options));
   for(const Named_cloud& c : cases)
     for(std::size_t size = 512; size <= 65536; size *= options.is_quick ? 8 : 2)
       for(unsigned repeat = 0; repeat < (options.is_quick ? 1 : options.repeats); ++repeat) {
@@ -221,7 +219,7 @@ void run_synergy(const Experiment_options& options)
 void run_stability(const Experiment_options& options)
 {
   Trials trials(options, "stability");
-  const Named_cloud c = twin_cloud("curved", options.is_quick ? 30000 : 200000);
+  const Named_cloud c = load_cloud(cloud_row("curved"), options);
   const double diagonal = extent_of(c.cloud.points).diagonal;
   std::vector<double> percents = {0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8, 1.1, 1.6, 2.2, 3.2};
   if(options.is_quick)
@@ -262,36 +260,25 @@ void run_labels(const Experiment_options& options)
   }
 }
 
-// The paper's table 1: one cloud of each category. The file of clouds.csv where it is in the folder of the data, else a
-// generated twin.
+// The paper's table 1: one cloud of each category, whose file is in the folder of the data; with --quick, a generated one.
 struct Category {
   const char* name;
   const char* cloud; // of clouds.csv
-  const char* twin;
 };
 
-const Category categories[] = {
-  {"terrestrial laser", "sheridan", "terrestrial"}, {"depth camera", "kinect", "kinect"},
-  {"mobile mapping", "street", "street"},           {"aerial laser", "autzen", "aerial"},
-  {"multi-view stereo", "clocktower", "multiview"}, {"mechanical part", "fandisk", "mechanical"}};
-
-Named_cloud load(const Category& category, const Experiment_options& options)
-{
-  if(!options.is_quick)
-    for(const Row& row : cloud_table())
-      if(cell(row, "name") == category.cloud && is_available(row, options))
-        return load_cloud(row, options);
-  Named_cloud c = twin_cloud(category.twin, options.is_quick ? 30000 : 500000);
-  c.name += "-twin";
-  return c;
-}
+const std::vector<Category> categories = {{"terrestrial laser", "sheridan"},   {"depth camera", "kinect"},
+                                          {"mobile mapping", "street"},        {"aerial laser", "autzen"},
+                                          {"multi-view stereo", "clocktower"}, {"mechanical part", "fandisk"}};
 
 void run_table1(const Experiment_options& options)
 {
   Trials trials(options, "table1");
   int position = 0;
-  for(const Category& category : categories) {
-    const Named_cloud c = load(category, options);
+  for(const Category& category : options.is_quick ? std::vector<Category>{{"mechanical part", "part"}} : categories) {
+    const Row row = cloud_row(category.cloud);
+    if(!is_available(row, options))
+      continue;
+    const Named_cloud c = load_cloud(row, options);
     Row columns;
     append_cell(columns, "category", category.name);
     append_cell(columns, "position", position++);

@@ -290,17 +290,6 @@ Model make_indoor();
 // A block with a slot, steps, a chamfer, a pocket, a boss and holes.
 Model make_part();
 
-// --- Those of scene_twins.h: a street, a tower, a small room, and an object whose surface is mostly curved
-
-// As a mobile mapping system passes it, in the middle of the road.
-Model make_street();
-
-// A clock tower of six sides, with a plinth, two ledges, windows and a spire.
-Model make_tower();
-
-// One furnished room, seen from a few places, in the frame of the first camera.
-Model make_study();
-
 // A plate with balls and drums: two thirds of the surface are curved.
 Model make_curved();
 

@@ -76,23 +76,6 @@ Model make_indoor()
   return model;
 }
 
-Model make_study()
-{
-  Model model;
-  Frame f = Frame().turned({1, 0.3, 0.2}, 0.9);
-  model.add_box_faces(f, {0, 0, 0}, {5, 4, 2.6}, side_all, true);
-  model.add_recess(f.sideways(), {1.2, 0.9, 1.6, 1.3, 0.2});
-  add_table(model, f.at({1.8, 0.5, 0}), 1.6, 0.8, 0.74);
-  add_table(model, f.at({3.6, 2.2, 0}).turned({0, 0, 1}, 0.1), 1.1, 0.7, 0.5);
-  add_shelf(model, f.at({0.6, 3.5, 0}), 2, 2, 4);
-  model.add_box(f, {4.2, 0.2, -0.1}, {4.9, 1.1, 1.9});
-  model.add_box(f.at({2.6, 2.9, 0}).turned({0, 0, 1}, -0.2), {0, 0, -0.1}, {0.45, 0.45, 0.47});
-  model.add_box(f.at({2, 0.7, 0.74}).turned({0, 0, 1}, 0.15), {0, 0, -0.01}, {0.4, 0.25, 0.3});
-  model.curved.push_back({f.at({3.1, 1.6, 0.4}), 0.4, 0, false});
-  model.add_scanners(f, {{1.2, 1.6, 1.3}, {2.5, 2.2, 1.5}, {3.4, 1.5, 1.2}, {2.2, 1.4, 1.6}, {3, 3, 1.4}});
-  return model;
-}
-
 Model make_office()
 {
   Model model;

@@ -187,6 +187,7 @@ constexpr Named_model models[] = {{"house", make_house},
                                   {"offset_pair", [] { return make_offset_pair(.05); }},
                                   {"sphere", make_sphere},
                                   {"noise", [] { return make_cube(); }}, // where it is
+                                  {"curved", make_curved},
                                   {"bent_hall", make_bent_hall},
                                   {"bent_road", make_bent_road}};
 
