@@ -41,6 +41,9 @@ BOOST_AUTO_TEST_CASE(test_kept_pages)
     leave(buffer);
   }
   CHECK(Host_buffer<double>(45000).data() == pages);
+  buffer.reset(1000);
+  pages = leave(buffer);
+  CHECK(Host_buffer<double>(1100).data() != pages); // somewhat too small
   Kept_pages::release();
   CHECK(Kept_pages::kept_bytes() == 0);
 }
