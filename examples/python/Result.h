@@ -14,6 +14,7 @@
 #include <pybind11/pybind11.h>
 
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace tandem_python {
@@ -277,10 +278,11 @@ inline void add_values(Class& result)
 
 // --- The table of the shapes: PlanarShapes.table()
 
-// number_of(s): of each shape, as a new array.
-template <class Number, class F>
-py::array_t<Number> array_by_shape(const Result& result, const F& number_of)
+// number_of(s): of each shape, as a new array of int64 or float64.
+template <class F>
+py::array array_by_shape(const Result& result, const F& number_of)
 {
+  using Number = std::conditional_t<std::is_integral_v<decltype(number_of(0))>, std::int64_t, double>;
   py::array_t<Number> array(py::ssize_t(result.size()));
   Number* to = array.mutable_data();
   for(std::size_t s = 0; s < result.size(); ++s)
@@ -304,27 +306,12 @@ inline std::vector<CGAL::Tandem::Shape_facts> facts_of(const Result& result)
 // The names are those of the columns of detect_planes --shapes.
 inline py::dict table(const Result& result)
 {
-  const std::vector<CGAL::Tandem::Shape_facts> facts = facts_of(result);
-  const Shapes& shapes = result.shapes();
   py::dict dict;
   const auto add = [&](const std::string& name, const auto& number_of) {
-    dict[py::str(name)] = array_by_shape<double>(result, number_of);
+    dict[py::str(name)] = array_by_shape(result, number_of);
   };
-  const auto add_count = [&](const char* name, const auto& number_of) {
-    dict[name] = array_by_shape<std::int64_t>(result, number_of);
-  };
-  add_count("shape", [](std::size_t s) { return s; });
-  add_count("points", [&](std::size_t s) { return facts[s].number_of_points; });
-  for(std::size_t k = 0; k < 4; ++k)
-    add(std::string(1, "abcd"[k]), [&](std::size_t s) { return shapes.coefficients(s)[k]; });
-  for(std::size_t k = 0; k < 3; ++k)
-    add(std::string(1, "xyz"[k]), [&](std::size_t s) { return facts[s].centroid[k]; });
-  for(const auto& column : CGAL::Tandem::fact_columns)
-    add(column.name, [&](std::size_t s) { return facts[s].*column.number; });
-  for(const auto& column : CGAL::Tandem::uncertainty_columns)
-    add(column.name, [&](std::size_t s) { return shapes.uncertainty(s).*column.number; });
-  add_count("parallel_group", [&](std::size_t s) { return shapes.parallel_group(s); });
-  add_count("coplanar_group", [&](std::size_t s) { return shapes.coplanar_group(s); });
+  add("shape", [](std::size_t s) { return s; });
+  CGAL::Tandem::for_each_shape_column(result.shapes(), facts_of(result), add);
   return dict;
 }
 

@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/Shape_facts.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace CGAL::Tandem {
 
@@ -36,6 +38,23 @@ constexpr std::array<Shape_column<Plane_uncertainty>, 3> uncertainty_columns = {
   {{"noise", &Plane_uncertainty::noise},
    {"offset_deviation", &Plane_uncertainty::offset_deviation},
    {"angle_deviation_deg", &Plane_uncertainty::angle_deg}}};
+
+// All columns in their order: f(name, number_of), where number_of(s) is a whole number for counts and groups.
+template <class Shapes, class F>
+void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>& facts, F f)
+{
+  f("points", [&](std::size_t s) { return facts[s].number_of_points; });
+  for(std::size_t k = 0; k < 4; ++k)
+    f(std::string(1, "abcd"[k]), [&](std::size_t s) { return shapes.coefficients(s)[k]; });
+  for(std::size_t k = 0; k < 3; ++k)
+    f(std::string(1, "xyz"[k]), [&](std::size_t s) { return facts[s].centroid[k]; });
+  for(const auto& column : fact_columns)
+    f(column.name, [&](std::size_t s) { return facts[s].*column.number; });
+  for(const auto& column : uncertainty_columns)
+    f(column.name, [&](std::size_t s) { return shapes.uncertainty(s).*column.number; });
+  f("parallel_group", [&](std::size_t s) { return shapes.parallel_group(s); });
+  f("coplanar_group", [&](std::size_t s) { return shapes.coplanar_group(s); });
+}
 
 } // namespace CGAL::Tandem
 
