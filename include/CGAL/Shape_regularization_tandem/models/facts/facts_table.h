@@ -206,6 +206,7 @@ inline Shape_facts facts_of_shape(const std::vector<Position>& points, const out
   return f;
 }
 
+// NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
                                                                const Shapes_data& data, const Vector& up)
 {

@@ -341,6 +341,7 @@ inline Polygon_table table_of_outlines(const std::vector<Position>& points, cons
 }
 
 // Known planes may have no points.
+// NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
                                                       bool are_regular)
 {

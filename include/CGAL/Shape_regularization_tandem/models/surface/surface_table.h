@@ -229,6 +229,7 @@ struct Surface_input {
   }
 };
 
+// NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
                                                       std::size_t most_planes, const internal::Vector& upward)
 {

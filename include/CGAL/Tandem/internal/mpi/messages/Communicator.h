@@ -83,7 +83,7 @@ void for_each_message(std::size_t n, F f)
 // become std::runtime_error.
 
 // The first letter is the type, the rest is the message.
-inline std::string encoded_failure(std::exception_ptr failure)
+inline std::string encoded_failure(const std::exception_ptr& failure)
 {
   try {
     std::rethrow_exception(failure);
@@ -313,7 +313,7 @@ private:
   }
 
   // The part of a rank that has failed in an agreement; of several failures, that of the smallest rank counts.
-  void fail(std::exception_ptr failure)
+  void fail(const std::exception_ptr& failure)
   {
     const int first = first_failed(rank());
     const std::string message = broadcast(first, first == rank() ? encoded_failure(failure) : std::string());
