@@ -66,9 +66,8 @@ void check_failure(const Ranks& ranks, const std::string& text, std::initializer
 {
   for(const char* word : words)
     CHECK_AT(text.find(word) != std::string::npos, name + ": " + word + " is not in: " + text);
-  CHECK_AT(gather(ranks, Words(text.begin(), text.end()), 0) ==
-             repeated_on_root(ranks, Words(text.begin(), text.end())),
-           name + ": the ranks do not agree on: " + text);
+  const Words own(text.begin(), text.end());
+  CHECK_AT(own == broadcast(ranks, own, 0), name + ": the ranks do not agree on: " + text);
 }
 
 Dealt_case make_case()
@@ -270,7 +269,7 @@ void test_cancellation(const Ranks& ranks, int stride)
       expected = detect_alone(whole, cancel);
       check_valid(whole, expected, name);
     }
-    check_same_on_ranks(ranks, own, &expected, 0, name);
+    check_same_on_ranks(ranks, own, expected, 0, name);
   }
 }
 
@@ -329,7 +328,7 @@ void test_bounded_memory(const Ranks& ranks)
   const std::string found = failure_of([&] { own = detect_with(ranks, part, np::settings(c.parameters)); });
   setrlimit(RLIMIT_AS, &before);
   CHECK_AT(found == "nothing", found);
-  check_same_on_ranks(ranks, own, &expected, 0, "bounded memory");
+  check_same_on_ranks(ranks, own, expected, 0, "bounded memory");
 }
 
 // Refused for what one rank cannot see by itself, and for each field of the last rank, with the same reason on all ranks.
