@@ -5,7 +5,6 @@
 // with the interface of CGAL's function of the same name.
 
 #include "api_support.h"
-#include "testing/plane_scene.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
@@ -14,6 +13,56 @@ BOOST_AUTO_TEST_SUITE(test_regularize_planes)
 
 using CGAL::Tandem::Plane_relations;
 using Coefficients = CGAL::Tandem::Coefficients;
+using scenes::Vec;
+
+template <class K>
+struct Scene {
+  std::vector<typename K::Point_3> points;
+  std::vector<typename K::Plane_3> planes;
+  std::vector<int> index;
+
+  auto index_map() const { return CGAL::make_property_map(index.data()); }
+};
+
+using V = std::array<double, 3>;
+
+double dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The faces of a box of extent 10, moved by `far`, and two halves of a seventh face
+// parallel to the last one. Points have noise; given planes are off by up to two degrees.
+template <class K>
+Scene<K> make_box(int seed, double noise, double far = 0)
+{
+  using RT = typename K::RT;
+  scenes::Random random(std::uint64_t(seed) + 1);
+  const auto uniform = [&] { return 2 * random.uniform() - 1; };
+  const auto frame = scenes::Frame().turned(random.direction(), .7);
+  const Vec axis[] = {frame.x, frame.y, frame.z, frame.x, frame.y}, shift = {far, far, far};
+  Scene<K> s;
+  for(int f = 0; f < 8; ++f) {
+    const Vec* const axes = axis + (std::min)(f / 2, 2); // the normal first
+    const double offset = f < 6 ? (f % 2 ? 5 : -5) : 8 + (f == 6 ? .004 : -.004);
+    const int n = 500 + 20 * f;
+    Vec mean = {0, 0, 0};
+    for(int i = 0; i < n; ++i) {
+      const double b = f < 6 ? 5 * uniform() : (f == 6 ? 3 : -3) + 2 * uniform();
+      const Vec in_plane = add_scaled(5 * uniform() * axes[1], b, axes[2]);
+      const Vec p = shift + add_scaled(in_plane, offset + noise * random.gaussian(), axes[0]);
+      mean = add_scaled(mean, 1. / n, p);
+      s.points.push_back(typename K::Point_3(p.x, p.y, p.z));
+      s.index.push_back(f);
+    }
+    const double u = .02 * uniform(), v = .02 * uniform();
+    const Vec tilted = (f % 3 ? 1. : -1.) * add_scaled(add_scaled(axes[0], u, axes[1]), v, axes[2]);
+    s.planes.push_back(typename K::Plane_3(RT(tilted.x), RT(tilted.y), RT(tilted.z), RT(-dot(tilted, mean))));
+  }
+  for(int i = 0; i < 50; ++i) { // clutter
+    s.points.push_back({far + 9 * uniform(), far + 9 * uniform(), far + 9 * uniform()});
+    s.index.push_back(-1);
+  }
+  return s;
+}
+
 using Box_scene = Scene<Kernel>;
 
 struct Options {

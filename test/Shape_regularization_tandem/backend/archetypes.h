@@ -17,6 +17,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_ARCHETYPES_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 
@@ -170,7 +171,7 @@ struct Sort_table {
 //   for_each_piece(n, grain, f)       f(first, last) for the pieces of [0, n) that begin at the multiples of grain
 //
 // The archetype is none of these: the engine runs on back ends without for_each_piece().
-struct Backend {
+struct Backend : Plain_atomics {
   template <class T>
   using Buffer = archetypes::Buffer<T>;
   using Sort_table = archetypes::Sort_table;
@@ -234,29 +235,6 @@ struct Backend {
   {
     never([&] { f(std::size_t(0)); });
   }
-  template <class T>
-  static T atomic_add(T& target, T)
-  {
-    return target;
-  }
-  template <class T>
-  static T atomic_min(T& target, T)
-  {
-    return target;
-  }
-  template <class T>
-  static void atomic_max(T&, T)
-  {}
-  template <class T>
-  static T atomic_load(const T& target)
-  {
-    return target;
-  }
-  template <class T>
-  static T atomic_exchange_if(T& target, T, T)
-  {
-    return target;
-  }
 };
 
 // The same in one of many processes.
@@ -285,34 +263,22 @@ struct Rank_backend : Backend {};
 //
 // As if all others had nothing; but the engine is compiled for many.
 template <>
-class Ranks<archetypes::Rank_backend> {
+class Ranks<archetypes::Rank_backend> : public Ranks<archetypes::Backend> {
 public:
   static constexpr bool are_many = true;
 
   Ranks() = delete;
-  explicit Ranks(archetypes::Rank_backend&) {}
+  using Ranks<archetypes::Backend>::Ranks;
 
-  Own_share share() const { return {}; }
-  template <class F>
-  auto together(F f) const
-  {
-    return f();
-  }
+  // Of these types only.
   std::size_t total(std::size_t own) const { return own; }
   std::vector<std::uint64_t> total(std::vector<std::uint64_t> own) const { return own; }
   void sum(std::uint32_t*, std::size_t) const {}
   void sum(std::int64_t*, std::size_t) const {}
   void sum(std::uint64_t*, std::size_t) const {}
-  template <class T>
-  std::vector<T> gather(const std::vector<T>& own, std::vector<std::size_t>* = nullptr) const
-  {
-    return own;
-  }
   template <class Cloud>
   void connect(Cloud&, int)
   {}
-  std::size_t ghosts(Rings) const { return 0; }
-  std::uint64_t number(std::uint32_t) const { return 0; }
   template <class T>
   void refresh(T*, Rings) const
   {}

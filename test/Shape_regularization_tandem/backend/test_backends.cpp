@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What each back end of the host has to do: its operations, atomics, unions and rounds, and the searches of blocks,
-// against naive versions.
+// What each back end of the host has to do: its operations, the searches of its blocks, the table of links, atomics,
+// unions and rounds, against naive versions.
 
 #include "testing/backend_operations.h"
-#include "testing/block_searches.h"
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/backend/Union_find.h>
@@ -32,7 +31,8 @@ void on_host_backends(F f)
 #ifdef CGAL_LINKED_WITH_TBB
   f(Tbb_backend(), std::string("parallel"));
 #endif
-  f(Shuffled_backend(), std::string("shuffled"));
+  for(std::uint64_t seed : {1, 2})
+    f(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
 }
 
 BOOST_AUTO_TEST_CASE(operations)
@@ -169,16 +169,6 @@ BOOST_AUTO_TEST_CASE(rounds)
         if(end.second < end.first && reach < n) // the step before the last one has run
           CHECK_AT(next[n - 1] > sum[n - 1], name + ": last round");
       }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(searches)
-{
-  on_body_backends([](auto backend, const std::string& name) {
-    for(std::uint32_t start : search_starts)
-      for(std::uint32_t most : search_sizes)
-        CHECK_AT(count_wrong_searches(backend, start, most) == 0,
-                 name + ": searches from " + std::to_string(start) + " on for " + std::to_string(most) + " items");
   });
 }
 

@@ -7,7 +7,7 @@
 
 #include "testing/cuda_support.h"
 #include "testing/patches_cloud.h"
-#include "testing/random_case.h"
+#include "testing/property_case.h"
 #include "testing/same_result.h"
 #include "testing/tolerances.h"
 
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(random_cases)
 {
   std::size_t shapes = 0;
   for(std::uint64_t seed = argument(1, 1), i = 0; i < 30; ++i) {
-    const Random_case c = make_random_case(seed + i, 60000);
+    const Property_case c = Case_maker(seed + i).make_scene(60000);
     shapes += compare_with_host(c.name, c.cloud, c.parameters, c.given).number_of_shapes();
   }
   CHECK_AT(shapes > 100, std::to_string(shapes) + " shapes in all");

@@ -28,7 +28,7 @@ void test_rounds(const Ranks& ranks)
   CGAL::Tandem::Planar_shape_detection_3<Many_traits> many(c.part(ranks), list, Many_traits(Kernel(), ranks));
   const auto compare = [&](const std::string& where) {
     const Shapes expected = one.shapes();
-    check_same_on_ranks(ranks, many.shapes(), &expected, 0, c.text(ranks) + where);
+    check_same_on_ranks(ranks, many.shapes(), expected, 0, c.text(ranks) + where);
   };
   compare(", before the first round");
   bool goes_on = true;
@@ -89,10 +89,10 @@ void test_communicators(const Ranks& world)
   in_world.check_received("all ranks");
 
   // The default is the world.
-  const Dealt_case c = {make_random_case(1, 2000), Deal::blocks};
+  const Dealt_case c = {Case_maker(1).make_scene(2000), Deal::blocks};
   const Shapes shapes = detect<Mpi_tag<CGAL::Sequential_tag>>(c.part(world), c.parameters, c.given);
   const Shapes expected = detect(c.whole(world), c.parameters, c.given);
-  check_same_on_ranks(world, shapes, &expected, 0, c.text(world) + ", without a communicator");
+  check_same_on_ranks(world, shapes, expected, 0, c.text(world) + ", without a communicator");
 }
 
 // So many points that a sample of their cells is measured.
@@ -105,7 +105,7 @@ void test_estimates(const Ranks& ranks, std::size_t points)
   Words own, expected;
   add_parameters(own, estimated);
   add_parameters(expected, CGAL::Tandem::estimate_parameters<CGAL::Sequential_tag>(c.cloud, list));
-  CHECK_AT(gather(ranks, own, 0) == repeated_on_root(ranks, expected), c.text(ranks) + ": estimated parameters");
+  CHECK_AT(own == expected, c.text(ranks) + ": estimated parameters");
 }
 
 // Points with tolerances of their own: the results of a single process, and few points that are too far for the grid.
@@ -131,7 +131,7 @@ void test_tolerances(const Ranks& ranks)
       };
       const Shapes shapes = with_tolerances(parameters, map, given, detect_part);
       const Shapes expected = detect_with_tolerances(c.whole(ranks), parameters, map, given);
-      check_same_on_ranks(ranks, shapes, &expected, 0, c.text(ranks));
+      check_same_on_ranks(ranks, shapes, expected, 0, c.text(ranks));
       CHECK_AT(expected.number_of_shapes() >= 4 && expected.statistics().number_of_far_points == 1, c.text(ranks));
     }
 }

@@ -66,9 +66,8 @@ void check_failure(const Ranks& ranks, const std::string& text, std::initializer
 {
   for(const char* word : words)
     CHECK_AT(text.find(word) != std::string::npos, name + ": " + word + " is not in: " + text);
-  CHECK_AT(gather(ranks, Words(text.begin(), text.end()), 0) ==
-             repeated_on_root(ranks, Words(text.begin(), text.end())),
-           name + ": the ranks do not agree on: " + text);
+  const Words own(text.begin(), text.end());
+  CHECK_AT(own == broadcast(ranks, own, 0), name + ": the ranks do not agree on: " + text);
 }
 
 Dealt_case make_case()
@@ -81,9 +80,6 @@ Dealt_case make_case()
 
 std::set<int> first_and_last(const Ranks& ranks) { return {0, ranks.size() - 1}; }
 
-// The ranks are as they were before.
-void check_alive(const Ranks& ranks) { CHECK(sum_over(ranks, compare_with_one(ranks, {make_case()})) >= 6); }
-
 template <class List>
 auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
 {
@@ -91,66 +87,69 @@ auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
     part, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks));
 }
 
-template <class F>
-std::string failure_with_callback(const Ranks& ranks, int calling, F callback)
+// The reason is the same on all ranks, and has the words.
+template <class List>
+void check_refused(const Ranks& ranks, const List& list, std::initializer_list<const char*> words)
 {
-  const Callback none, own = callback;
   const Cloud part = make_case().part(ranks);
-  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == calling ? own : none);
+  check_failure(ranks, failure_of([&] { detect_with(ranks, part, list); }), words, *words.begin());
+}
+
+// The others have none.
+Callback callback_of(const Ranks& ranks, int calling, Callback callback)
+{
+  return ranks.rank() == calling ? callback : Callback();
+}
+
+std::string failure_with_callback(const Ranks& ranks, int calling, const Callback& callback)
+{
+  const Cloud part = make_case().part(ranks);
+  const auto list = np::settings(make_case().parameters).callback(callback_of(ranks, calling, callback));
   return failure_of([&] { detect_with(ranks, part, list); });
 }
 
-void test_parameters(const Ranks& ranks)
+void test_parameters(const Ranks& ranks, int)
 {
   const Cloud part = make_case().part(ranks);
   for(const int bad : first_and_last(ranks)) {
     const bool is_bad = ranks.rank() == bad;
-    const auto check = [&](const auto& list, std::initializer_list<const char*> words) {
-      check_failure(ranks, failure_of([&] { detect_with(ranks, part, list); }), words, *words.begin());
-      using Tag = Mpi_tag<CGAL::Sequential_tag>;
+    const auto check = [&](const auto& list, const char* name, const char* value) {
+      check_refused(ranks, list, {name, "invalid_argument", value});
       const auto both = list.point_map(First<Kernel>()).communicator(ranks);
-      check_failure(ranks, failure_of([&] { CGAL::Tandem::estimate_parameters<Tag>(part, both); }), words,
-                    std::string("estimate_parameters, ") + *words.begin());
+      const auto estimate = [&] { CGAL::Tandem::estimate_parameters<Mpi_tag<CGAL::Sequential_tag>>(part, both); };
+      check_failure(ranks, failure_of(estimate), {name, "invalid_argument", value}, "estimate_parameters");
     };
     Parameters parameters = make_parameters(.01, 30);
     parameters.maximum_angle = is_bad ? 95 : 25;
-    check(np::settings(parameters), {"invalid_argument", "maximum_angle", "95"});
+    check(np::settings(parameters), "maximum_angle", "95");
     parameters.maximum_angle = 25;
     parameters.fixed_directions = {{0, 0, is_bad ? 0. : 1.}};
-    check(np::settings(parameters), {"invalid_argument", "fixed_directions"});
-    check(np::maximum_distance(is_bad ? -1. : .01), {"invalid_argument", "maximum_distance", "-1"});
-    check(np::k_neighbors(is_bad ? 2 : 12), {"invalid_argument", "k_neighbors", "2"});
+    check(np::settings(parameters), "fixed_directions", "");
+    check(np::maximum_distance(is_bad ? -1. : .01), "maximum_distance", "-1");
+    check(np::k_neighbors(is_bad ? 2 : 12), "k_neighbors", "2");
   }
   // Of several failures, that of the first rank counts.
-  Parameters parameters = make_parameters(.01, 30);
-  parameters.k_neighbors = std::size_t(1000 + ranks.rank());
-  check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }), {"k_neighbors", "1000"},
-                "every rank fails");
-  check_alive(ranks);
+  check_refused(ranks, np::maximum_distance(.01).k_neighbors(1000 + ranks.rank()), {"k_neighbors", "1000"});
 }
 
 // Valid on each rank, but not the same.
-void test_different_parameters(const Ranks& ranks)
+void test_different_parameters(const Ranks& ranks, int)
 {
-  if(ranks.size() == 1)
-    return;
-  const Cloud part = make_case().part(ranks);
   const auto check = [&](const char* name, auto change) {
     Parameters parameters = make_parameters(.01, 30);
     if(ranks.rank() == ranks.size() - 1)
       change(parameters);
-    check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }),
-                  {"invalid_argument", name, "the same on all ranks"}, name);
+    if(ranks.size() > 1)
+      check_refused(ranks, np::settings(parameters), {name, "invalid_argument", "the same on all ranks"});
   };
   check("maximum_distance", [](Parameters& p) { p.maximum_distance = .02; });
   check("cell_size", [](Parameters& p) { p.cell_size = 100; });
   check("regularize_coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
   check("fixed_directions", [](Parameters& p) { p.fixed_directions = {{0, 0, 1}}; });
-  check_alive(ranks);
 }
 
 // A point set knows at run time only whether it has normals. One without points need not have them.
-void test_normals_of_some_ranks(const Ranks& ranks)
+void test_normals_of_some_ranks(const Ranks& ranks, int)
 {
   const Dealt_case c = make_case();
   const bool is_last = ranks.rank() == ranks.size() - 1;
@@ -169,10 +168,9 @@ void test_normals_of_some_ranks(const Ranks& ranks)
   check_failure(ranks, failure_of([&] { detect(true); }), {"invalid_argument", "normal_map", "some ranks"}, "normals");
   const Shapes shapes = detect(false);
   CHECK(!shapes.has_estimated_normals() && shapes.number_of_shapes() >= 6);
-  check_alive(ranks);
 }
 
-void test_maps(const Ranks& ranks)
+void test_maps(const Ranks& ranks, int)
 {
   using Tag = Mpi_tag<CGAL::Parallel_if_available_tag>;
   const Cloud part = make_case().part(ranks);
@@ -187,26 +185,28 @@ void test_maps(const Ranks& ranks)
   check("runtime_error: lost", [] { throw std::runtime_error("lost"); });
   check("invalid_argument: lost", [] { throw std::invalid_argument("lost"); });
   check("bad_alloc", [] { throw std::bad_alloc(); });
-  check_alive(ranks);
 }
 
 // All have the extent of the points of all ranks.
-void test_extent(const Ranks& ranks)
+void test_extent(const Ranks& ranks, int)
 {
   Dealt_case c = make_case();
   c.cloud.insert(c.cloud.end(), c.cloud.size() / 10, {Kernel::Point_3(1e9, 0, 0), Kernel::Vector_3(0, 0, 1)});
   check_failure(ranks, failure_of([&] { detect_with(ranks, c.part(ranks), np::maximum_distance(.01)); }),
                 {"range_error"}, "extent");
-  check_alive(ranks);
+}
+
+Shapes detect_alone(const Cloud& cloud, const Callback& callback)
+{
+  const auto list = np::settings(make_case().parameters).point_map(First<Kernel>()).normal_map(Second<Kernel>());
+  return CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, list.callback(callback));
 }
 
 // How often the callback is called in the case of these tests.
 int number_of_calls()
 {
   int calls = 0;
-  const Callback count = [&](double) { return ++calls > 0; };
-  const auto list = np::settings(make_case().parameters).point_map(First<Kernel>()).normal_map(Second<Kernel>());
-  CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(make_case().cloud, list.callback(count));
+  detect_alone(make_case().cloud, [&](double) { return ++calls > 0; });
   return calls;
 }
 
@@ -228,28 +228,26 @@ void test_throwing_callbacks(const Ranks& ranks, int stride)
   // A type that other ranks do not know.
   const std::string found = failure_with_callback(ranks, 0, [](double) -> bool { throw Stop(); });
   CHECK_AT(found == (ranks.rank() == 0 ? "Stop" : "std::runtime_error: another rank has failed"), found);
-  check_alive(ranks);
 }
 
 // There are no shapes on any rank after that.
-void test_class_after_exception(const Ranks& ranks)
+void test_class_after_exception(const Ranks& ranks, int)
 {
   using Traits =
     CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Mpi_tag<CGAL::Sequential_tag>>;
   bool is_complete = false;
-  const Callback none, own = [&](double) {
+  const Callback callback = callback_of(ranks, ranks.size() - 1, [&](double) {
     if(is_complete)
       throw std::invalid_argument("enough");
     return true;
-  };
-  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == ranks.size() - 1 ? own : none);
+  });
+  const auto list = np::settings(make_case().parameters).callback(callback);
   CGAL::Tandem::Planar_shape_detection_3<Traits> detection(make_case().part(ranks), list, Traits(Kernel(), ranks));
   is_complete = true;
   check_failure(ranks, failure_of([&] { detection.iterate(); }), {"invalid_argument: enough"}, "iterate");
   check_failure(ranks, failure_of([&] { detection.iterate(); }), {"logic_error"}, "iterate again");
   check_failure(ranks, failure_of([&] { detection.finish(); }), {"logic_error"}, "finish");
   check_failure(ranks, failure_of([&] { detection.shapes(); }), {"logic_error"}, "shapes");
-  check_alive(ranks);
 }
 
 // The callback of one rank cancels for all: the shapes found until then are those of one process.
@@ -260,34 +258,29 @@ void test_cancellation(const Ranks& ranks, int stride)
   const auto list = np::settings(c.parameters);
   const int calls = number_of_calls();
   for(int call = 1; call < calls; call += stride) {
-    const int bad = call % ranks.size();
     int left = call;
-    const Callback none, cancel = [&](double) { return --left > 0; };
-    const Shapes own = detect_with(ranks, part, list.callback(ranks.rank() == bad ? cancel : none));
+    const Callback cancel = [&](double) { return --left > 0; };
+    const Shapes own = detect_with(ranks, part, list.callback(callback_of(ranks, call % ranks.size(), cancel)));
     const std::string name = "cancelled by call " + std::to_string(call);
     CHECK_AT(own.is_cancelled(), name);
     Shapes expected;
     if(ranks.rank() == 0) {
       left = call;
-      expected = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
-        whole, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).callback(cancel));
+      expected = detect_alone(whole, cancel);
       check_valid(whole, expected, name);
     }
-    check_same_on_ranks(ranks, own, &expected, 0, name);
+    check_same_on_ranks(ranks, own, expected, 0, name);
   }
-  check_alive(ranks);
 }
 
 // mpirun ends the others, so none of them writes.
 void be_killed(const Ranks& ranks)
 {
-  const Callback none, own = [](double share) {
+  failure_with_callback(ranks, ranks.size() - 1, [](double share) {
     if(CGAL::Tandem::stage_at(share) == CGAL::Tandem::Detection_stage::rounds)
       std::raise(SIGKILL);
     return true;
-  };
-  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == ranks.size() - 1 ? own : none);
-  detect_with(ranks, make_case().part(ranks), list);
+  });
   std::cout << "a rank has gone on" << std::endl;
 }
 
@@ -309,7 +302,6 @@ void test_lost_tables(const Ranks& ranks, int stride)
       tables_left = -1;
       check_failure(ranks, found, {"bad_alloc"}, "table " + std::to_string(lost));
     }
-  check_alive(ranks);
 }
 
 // Where each rank has memory for a quarter of the cloud, many ranks detect what one cannot.
@@ -320,13 +312,8 @@ void test_bounded_memory(const Ranks& ranks)
   c.parameters = make_parameters(.01, 300);
   const Cloud part = c.part(ranks), whole = ranks.rank() == 0 ? c.whole(ranks) : Cloud();
   c.cloud = Cloud();
-  const auto list = np::settings(c.parameters);
-  const auto detect_alone = [&] {
-    return CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
-      whole, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()));
-  };
-  check_alive(ranks); // MPI has taken its memory
-  const Shapes expected = ranks.rank() == 0 ? detect_alone() : Shapes();
+  CHECK(sum_over(ranks, compare_with_one(ranks, {make_case()})) >= 6); // MPI has taken its memory
+  const Shapes expected = ranks.rank() == 0 ? detect(whole, c.parameters) : Shapes();
   const std::size_t bytes = sum_over(ranks, expected.statistics().peak_bytes) / 4;
   CHECK(bytes > 10000000);
   malloc_trim(0);
@@ -334,18 +321,18 @@ void test_bounded_memory(const Ranks& ranks)
   getrlimit(RLIMIT_AS, &before);
   const rlimit limit = {CGAL::Tandem::benchmark::status_bytes("VmSize") + bytes, before.rlim_max};
   setrlimit(RLIMIT_AS, &limit);
-  const std::string alone = ranks.rank() == 0 ? failure_of(detect_alone) : "bad_alloc";
+  const std::string alone = ranks.rank() == 0 ? failure_of([&] { detect(whole, c.parameters); }) : "bad_alloc";
   CHECK_AT(alone.find("bad_alloc") != std::string::npos, alone);
   malloc_trim(0);
   Shapes own;
-  const std::string found = failure_of([&] { own = detect_with(ranks, part, list); });
+  const std::string found = failure_of([&] { own = detect_with(ranks, part, np::settings(c.parameters)); });
   setrlimit(RLIMIT_AS, &before);
   CHECK_AT(found == "nothing", found);
-  check_same_on_ranks(ranks, own, &expected, 0, "bounded memory");
+  check_same_on_ranks(ranks, own, expected, 0, "bounded memory");
 }
 
 // Refused for what one rank cannot see by itself, and for each field of the last rank, with the same reason on all ranks.
-void test_corrupted_results(const Ranks& ranks)
+void test_corrupted_results(const Ranks& ranks, int)
 {
   const Cloud part = make_case().part(ranks);
   const auto list = np::point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks);
@@ -360,14 +347,11 @@ void test_corrupted_results(const Ranks& ranks)
     return why;
   };
   CHECK(reason(shapes.data(), "the result").empty());
-  for(const bool is_plane : {true, false}) {
-    Data data = shapes.data();
-    if(is_plane)
-      data.coefficients[0][3] = std::nextafter(data.coefficients[0][3], 9.);
-    else
-      ++data.parameters.k_neighbors;
-    CHECK_AT(last == 0 || reason(data, "a field").find("different") != std::string::npos, std::to_string(is_plane));
-  }
+  Data plane = shapes.data(), neighbors = shapes.data();
+  plane.coefficients[0][3] = std::nextafter(plane.coefficients[0][3], 9.);
+  ++neighbors.parameters.k_neighbors;
+  for(const Data& data : {plane, neighbors})
+    CHECK(last == 0 || reason(data, "a field").find("different") != std::string::npos);
   std::size_t checked = 0, refused = 0;
   for(;; ++checked) {
     Data data = shapes.data();
@@ -382,7 +366,7 @@ void test_corrupted_results(const Ranks& ranks)
 }
 
 // Other results are accepted: of estimated normals, where only the last rank has points, and of no points at all.
-void test_other_results(const Ranks& ranks)
+void test_other_results(const Ranks& ranks, int)
 {
   Cloud cloud = make_case().cloud;
   cloud.emplace_back(Kernel::Point_3(NAN, 0, 0), Kernel::Vector_3(0, 0, 1));
@@ -410,17 +394,12 @@ int main(int argc, char** argv)
     test_bounded_memory(world);
   else {
     const int stride = what == "few" ? 7 : 1;
-    test_parameters(world);
-    test_different_parameters(world);
-    test_normals_of_some_ranks(world);
-    test_maps(world);
-    test_extent(world);
-    test_lost_tables(world, stride);
-    test_throwing_callbacks(world, stride);
-    test_class_after_exception(world);
-    test_cancellation(world, stride);
-    test_corrupted_results(world);
-    test_other_results(world);
+    for(const auto test : {test_parameters, test_different_parameters, test_normals_of_some_ranks, test_maps,
+                           test_extent, test_lost_tables, test_throwing_callbacks, test_class_after_exception,
+                           test_cancellation, test_corrupted_results, test_other_results}) {
+      test(world, stride);
+      CHECK(sum_over(world, compare_with_one(world, {make_case()})) >= 6); // the ranks are as they were before
+    }
   }
   return report_on(world);
 }

@@ -9,6 +9,8 @@
 
 #include "output/writers.h"
 
+#include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
+
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
@@ -226,17 +228,9 @@ Output_case case_of(const std::string& name, const Cloud& cloud, const Shapes& s
 // All points in one shape.
 Output_case case_of_plane(const std::string& name, const Cloud& cloud, const program::Shapes::Coefficients& plane)
 {
-  Shapes::Data data = detect(cloud, make_parameters(1, cloud.size() + 1)).data();
-  data.shape_of = std::vector<std::int32_t>(cloud.size(), 0);
-  data.coefficients = {plane};
-  data.parallel_group = data.coplanar_group = {0};
-  data.fixed_direction = data.symmetry_group = {-1};
-  data.is_flipped = {0};
-  data.size = {cloud.size()};
-  data.uncertainty.resize(1);
-  data.statistics.number_of_assigned_points = cloud.size();
-  data.statistics.number_of_shapes = data.statistics.number_of_directions = data.statistics.number_of_planes = 1;
-  return case_of(name, cloud, Shapes(data));
+  const std::vector<program::Shapes::Coefficients> planes = {plane};
+  const auto list = CGAL::Tandem::parameters::settings(make_parameters(1, 3)).point_map(First<Kernel>());
+  return case_of(name, cloud, CGAL::Tandem::shapes_of_planes<CGAL::Sequential_tag>(planes, cloud, list));
 }
 
 // So far from the origin that coordinates are rounded to a few tenths of the spacing, or less.

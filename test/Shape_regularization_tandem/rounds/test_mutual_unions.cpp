@@ -15,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -84,6 +85,15 @@ struct Fragment {
     refit(fitted);
     sample = least_of(all);
   }
+  // Without its points.
+  void join(const Fragment& other)
+  {
+    fitted.moments += other.fitted.moments;
+    refit(fitted);
+    std::vector<Sampled_point> both(sample.item, sample.item + sample.size);
+    both.insert(both.end(), other.sample.item, other.sample.item + other.sample.size);
+    sample = least_of(both);
+  }
   std::int64_t size() const { return std::int64_t(point.size()); }
   Sampled_shape sampled() const { return {fitted, sample}; }
 };
@@ -107,11 +117,9 @@ public:
       if(v.is_accepted)
         return {true, true, v.gain};
     }
-    Fitted_moments joint;
-    joint.moments = a.fitted.moments;
-    joint.moments += b.fitted.moments;
-    refit(joint);
-    return joined(a, b, joint.local, links, false, is_close);
+    Fragment joint = a;
+    joint.join(b);
+    return joined(a, b, joint.fitted.local, links, false, is_close);
   }
 
 private:
@@ -272,26 +280,19 @@ struct Outcome {
 // What Mutual_unions.h says, by tables of all links and no other state than which shape is where.
 class Slow_unions {
 public:
-  Slow_unions(const Fragments& fragments, const Links& links)
+  Slow_unions(const Fragments& fragments, const Links& links) : whole_(fragments), root_(fragments.size())
   {
-    for(const Fragment& f : fragments) {
-      const std::uint32_t id = std::uint32_t(root_.size());
-      root_.push_back(id);
-      whole_[id] = f.fitted;
-      sample_[id] = f.sample;
-    }
+    std::iota(root_.begin(), root_.end(), 0u);
     while(unite(links))
       ++rounds_;
   }
 
   Outcome outcome() const
   {
-    Outcome o;
-    o.rounds = rounds_;
+    Outcome o = {root_, {}, {}, rounds_};
     for(std::uint32_t r : root_) {
-      o.root.push_back(r);
-      o.plane.push_back(whole_.at(r).local);
-      o.sample.push_back(sample_.at(r));
+      o.plane.push_back(whole_[r].fitted.local);
+      o.sample.push_back(whole_[r].sample);
     }
     return o;
   }
@@ -305,11 +306,10 @@ private:
     std::map<std::uint32_t, Key> choice;
     for(const Link& link : links) {
       std::uint32_t a = root_[link.first()], b = root_[link.second()];
-      const std::int64_t na = whole_[a].moments.count, nb = whole_[b].moments.count;
+      const std::int64_t na = whole_[a].fitted.moments.count, nb = whole_[b].fitted.moments.count;
       if(na < nb || (na == nb && b < a))
         std::swap(a, b);
-      const Verdict v =
-        a == b ? Verdict() : verdict_of(gain_, {whole_[a], sample_[a]}, {whole_[b], sample_[b]}, link.count);
+      const Verdict v = a == b ? Verdict() : verdict_of(gain_, whole_[a].sampled(), whole_[b].sampled(), link.count);
       const Key key = {-v.gain, -na - nb, mixed_ids(a, b), a, b, v.is_taken};
       for(std::uint32_t s : {a, b})
         if(v.is_accepted && (choice.count(s) == 0 || key < choice[s]))
@@ -325,21 +325,14 @@ private:
     }
     for(std::uint32_t& r : root_)
       r = joins.count(r) == 0 ? r : joins[r];
-    for(const auto& j : joins) {
-      whole_[j.second].moments += whole_[j.first].moments;
-      refit(whole_[j.second]);
-      Shape_sample &stays = sample_[j.second], &joining = sample_[j.first];
-      std::vector<Sampled_point> both(stays.item, stays.item + stays.size);
-      both.insert(both.end(), joining.item, joining.item + joining.size);
-      stays = least_of(both);
-    }
+    for(const auto& [joining, stays] : joins)
+      whole_[stays].join(whole_[joining]);
     return !joins.empty();
   }
 
   const Union_gain gain_{union_options()};
+  Fragments whole_;                 // by root
   std::vector<std::uint32_t> root_; // by shape
-  std::map<std::uint32_t, Fitted_moments> whole_;
-  std::map<std::uint32_t, Shape_sample> sample_;
   int rounds_ = 1;
 };
 

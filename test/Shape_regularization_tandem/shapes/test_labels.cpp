@@ -6,7 +6,6 @@
 // which keeps these.
 
 #include "testing/body_fixture.h"
-#include "testing/link_sets.h"
 
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
@@ -102,14 +101,6 @@ BOOST_AUTO_TEST_CASE(links_of_clouds)
           expected.edges.clear();
         check_links(collect(), expected.edges, where + ", without the interior points");
       }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(tables_of_links)
-{
-  on_body_backends([](auto backend, const std::string& name) {
-    for(const std::string& wrong : Link_sets<decltype(backend)>(backend).run())
-      fail(name + ": " + wrong);
   });
 }
 

@@ -7,8 +7,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
 
-#include "change_table.h"
-
 #include <CGAL/Tandem/Shapes_data.h>
 
 #include <algorithm>
@@ -18,6 +16,15 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+// change(std::vector<T>&): results share the table, so it is changed in a copy.
+template <class T, class Change>
+void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
+{
+  std::vector<T> values(table.begin(), table.end());
+  change(values);
+  table = std::move(values);
+}
 
 // Numbers all corruptions, and makes one of them: that of the number `target`.
 class Corruption {

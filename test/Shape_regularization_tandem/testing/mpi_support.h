@@ -9,7 +9,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MPI_SUPPORT_H
 
 #include "border_clouds.h"
-#include "random_case.h"
+#include "property_case.h"
 #include "same_result.h"
 
 #include <CGAL/Shape_regularization_tandem/mpi.h>
@@ -41,7 +41,7 @@ enum class Deal { random, blocks, reversed, cyclic, last, odd };
 constexpr std::size_t number_of_deals = 6;
 
 // A cloud, and which of its points each rank has.
-struct Dealt_case : Random_case {
+struct Dealt_case : Property_case {
   Deal deal;
 
   // For each rank, the positions of its points in the cloud.
@@ -117,7 +117,7 @@ inline std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t numb
 {
   std::vector<Dealt_case> cases;
   for(std::uint64_t s = seed; s < seed + number; ++s)
-    cases.push_back({make_random_case(s, more_points), Deal(s % number_of_deals)});
+    cases.push_back({Case_maker(s).make_scene(more_points), Deal(s % number_of_deals)});
   return cases;
 }
 
@@ -146,44 +146,30 @@ inline Words point_words(const Shapes& shapes)
   return words;
 }
 
-// The words of all ranks, one after the other; on the root only.
-inline Words gather(const Ranks& ranks, const Words& own, int root)
+// Those of the root.
+inline Words broadcast(const Ranks& ranks, Words words, int root)
 {
-  const int size = int(own.size());
-  std::vector<int> sizes(std::size_t(ranks.size())), first;
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, root, ranks);
-  int total = 0;
-  for(const int n : sizes) {
-    first.push_back(total);
-    total += n;
-  }
-  Words all(std::size_t(ranks.rank() == root ? total : 0));
-  MPI_Gatherv(own.data(), size, MPI_UINT64_T, all.data(), sizes.data(), first.data(), MPI_UINT64_T, root, ranks);
-  return all;
+  std::uint64_t size = words.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, root, ranks);
+  words.resize(size);
+  MPI_Bcast(words.data(), int(size), MPI_UINT64_T, root, ranks);
+  return words;
 }
 
-// What the words of all ranks are, if they have the same ones.
-inline Words repeated_on_root(const Ranks& ranks, const Words& words, int root = 0)
-{
-  Words all;
-  for(int r = 0; r < ranks.size() && ranks.rank() == root; ++r)
-    all.insert(all.end(), words.begin(), words.end());
-  return all;
-}
-
-// The root knows what is expected; null on other ranks.
-inline void check_same_on_ranks(const Ranks& ranks, const Shapes& own, const Shapes* expected, int root,
+// The root knows what is expected: of the points of all ranks, one after the other.
+inline void check_same_on_ranks(const Ranks& ranks, const Shapes& own, const Shapes& expected, int root,
                                 const std::string& name)
 {
-  const Words common = gather(ranks, shape_bits(own), root), points = gather(ranks, point_words(own), root);
-  if(ranks.rank() != root)
-    return;
-  const Words of_one = shape_bits(*expected);
-  long at = first_difference(common, repeated_on_root(ranks, of_one, root));
-  CHECK_AT(at < 0, name + ": the shapes differ, first in word " + std::to_string(at % long(of_one.size())) +
-                     " of rank " + std::to_string(at / long(of_one.size())));
-  at = first_difference(points, point_words(*expected));
-  CHECK_AT(at < 0, name + ": the points differ, first the one at " + std::to_string(at / 4));
+  long at = first_difference(shape_bits(own), broadcast(ranks, shape_bits(expected), root));
+  const std::string where = name + ", rank " + std::to_string(ranks.rank());
+  CHECK_AT(at < 0, where + ": the shapes differ, first in word " + std::to_string(at));
+  const Words all = broadcast(ranks, point_words(expected), root), points = point_words(own);
+  std::uint64_t last = points.size(); // of the ranks up to this one
+  MPI_Scan(MPI_IN_PLACE, &last, 1, MPI_UINT64_T, MPI_SUM, ranks);
+  const bool is_complete = ranks.rank() + 1 < ranks.size() ? last <= all.size() : last == all.size();
+  CHECK_AT(is_complete, where + ": another number of points");
+  at = is_complete ? first_difference(points, Words(all.data() + last - points.size(), all.data() + last)) : -1;
+  CHECK_AT(at < 0, where + ": the points differ, first the one at " + std::to_string(at / 4));
 }
 
 template <class Tag>
@@ -210,7 +196,7 @@ std::size_t compare_with_one(const Ranks& ranks, const std::vector<Dealt_case>& 
   for(std::size_t i = 0; i < cases.size(); ++i) {
     const Dealt_case& c = cases[i];
     const Shapes own = detect_on<Tag>(ranks, c.part(ranks), c.parameters, c.given);
-    check_same_on_ranks(ranks, own, &expected[i], root_of(i), c.text(ranks));
+    check_same_on_ranks(ranks, own, expected[i], root_of(i), c.text(ranks));
   }
   return shapes;
 }

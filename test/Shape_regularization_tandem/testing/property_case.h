@@ -26,13 +26,13 @@ public:
   explicit Case_maker(std::uint64_t seed) : random_(seed), epsilon_(log_between(.01, .3))
   {
     name_ = "seed " + std::to_string(seed);
-    if(happens(.5))
-      frame_ = turned_frame();
-    make_family();
   }
 
   Property_case make()
   {
+    if(happens(.5))
+      frame_ = turned_frame();
+    make_family();
     add_outliers();
     add_duplicates();
     spoil_normals();
@@ -41,6 +41,21 @@ public:
     const Given given = happens(.3) ? Given::nothing : Given::normals;
     name_ += given == Given::nothing ? ", estimated normals, " : ", ";
     return {name_ + std::to_string(cloud_.size()) + " points", cloud_, draw_parameters(), given};
+  }
+
+  // A generated scene of 500 points or more, but less than 500 + more_points. Many have no shape: the tolerances are any.
+  Property_case make_scene(std::size_t more_points)
+  {
+    const double noise = between(0, .003), outliers = between(0, .4);
+    scenes::Options options = scene_options(500 + random_.bits() % more_points, noise, outliers);
+    options.normals = happens(.5) ? scenes::Normals::exact : scenes::Normals::perturbed;
+    options.seed = random_.bits();
+    const std::vector<std::string> names = scenes::scene_names();
+    const std::string& scene_name = names[random_.bits() % names.size()];
+    const scenes::Scene scene = scenes::make_scene(scene_name, options);
+    epsilon_ = scene.diagonal * std::ldexp(1, -3 - below(12));
+    const Given given = happens(.5) ? Given::normals : Given::nothing;
+    return {name_ + ": " + scene_name, to_cloud(scene), draw_parameters(), given};
   }
 
 private:

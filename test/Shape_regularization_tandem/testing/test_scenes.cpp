@@ -102,7 +102,12 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
     const std::size_t found[] = {scene.faces.size(), r.directions(), r.planes(), r.degrees_of_freedom()};
     BOOST_TEST(std::equal(numbers.begin(), numbers.end(), found), name);
   }
-  BOOST_TEST(relations(scenes::make_scene("village", {100})).directions() == 65u);
+  // Two for the vertical, one for the walls of each house, and one for each side of a roof.
+  const Plane_relations village = relations(scenes::make_scene("village", {100}));
+  BOOST_TEST(village.directions() == 65u);
+  BOOST_TEST(village.degrees_of_freedom() == 50u);
+  BOOST_TEST(village.complexity() * double(3 * village.shapes()) == double(50 + village.planes()),
+             boost::test_tools::tolerance(1e-12));
 }
 
 // The same for all compilers and flags.
