@@ -24,8 +24,9 @@ public:
   // Before this, --output-directory has been made.
   Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
-    if(!o.output_directory.empty())
-      try_files_of_inputs();
+    // There may be more files than a process can have open: they are opened, and closed again.
+    for(std::size_t i = 0; i < cloud.parts.size() && !o.output_directory.empty(); ++i)
+      Output_file(output_of(cloud.parts[i]));
     if(is_first) // some of them may be in that folder
       open_files_of_all();
   }
@@ -39,11 +40,18 @@ public:
     const Described_shapes described(cloud.points, shapes);
     if(!options.polygons.empty() && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
-    for(std::size_t i = 0; i < writers.size(); ++i)
-      write_file(i, described, run);
-    if(!options.output_directory.empty())
-      for(const Input_part& part : cloud.parts)
-        write_part(part, shapes);
+    for(std::size_t i = 0; i < writers.size(); ++i) {
+      check_signals();
+      files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
+    }
+    for(std::size_t i = 0; i < cloud.parts.size() && !options.output_directory.empty(); ++i) {
+      check_signals();
+      const Input_part& part = cloud.parts[i];
+      files.emplace_back(output_of(part));
+      files.back().write([&](std::ostream& out) {
+        write_points(out, output_of(part), {cloud.points, part.first, part.last}, shapes, part.notes.las_frame);
+      });
+    }
   }
 
   // Gives the files their names.
@@ -72,7 +80,10 @@ private:
   {
     const Options& o = options;
     open(o.output, [this](std::ostream& out, const Described_shapes& d, const Run&) {
-      write_points(out, options.output, 0, cloud.points.size(), d.shapes, first_las_frame(cloud));
+      const auto has_frame = [](const Input_part& part) { return part.notes.las_frame.has_value(); };
+      const auto part = std::find_if(cloud.parts.begin(), cloud.parts.end(), has_frame);
+      write_points(out, options.output, {cloud.points, 0, cloud.points.size()}, d.shapes,
+                   part != cloud.parts.end() ? part->notes.las_frame : std::nullopt);
     });
     open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) { write_labels(out, d.shapes); });
     open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_planes(out, d.shapes); });
@@ -80,10 +91,8 @@ private:
     open(o.vg, [this](std::ostream& out, const Described_shapes& d, const Run&) {
       write_vg(out, d.points, options.has_group_for_each_plane ? joined_shapes(d.points, d.shapes) : d.shapes);
     });
-    open(o.polygons, [this](std::ostream& out, const Described_shapes& d, const Run&) {
-      const Faces_of_file faces = options.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons;
-      write_polygons(out, d, {lower_case_extension(options.polygons), faces, options.crs});
-    });
+    open(o.polygons,
+         [this](std::ostream& out, const Described_shapes& d, const Run&) { write_polygons(out, d, options); });
     open(o.view, &write_view);
     open(o.report,
          [](std::ostream& out, const Described_shapes& d, const Run& run) { write_report(out, d.shapes, run); });
@@ -99,47 +108,17 @@ private:
     writers.push_back(writer);
   }
 
-  // There may be more files than a process can have open: they are opened, and closed again.
-  void try_files_of_inputs() const
-  {
-    for(const Input_part& part : cloud.parts)
-      Output_file(output_of(part));
-  }
-
   std::string output_of(const Input_part& part) const
   {
     return output_of_input(options.output_directory, options.inputs[part.input]);
   }
 
-  void write_file(std::size_t i, const Described_shapes& described, const Run& run)
-  {
-    check_signals();
-    files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
-  }
-
-  void write_part(const Input_part& part, const Shapes& shapes)
-  {
-    check_signals();
-    files.emplace_back(output_of(part));
-    files.back().write([&](std::ostream& out) {
-      write_points(out, output_of(part), part.first, part.last, shapes, part.notes.las_frame);
-    });
-  }
-
   // Those of a part of the cloud.
-  void write_points(std::ostream& out, const std::string& path, std::size_t first, std::size_t last,
-                    const Shapes& shapes, const std::optional<Las_frame>& frame) const
+  void write_points(std::ostream& out, const std::string& path, const Point_part& part, const Shapes& shapes,
+                    const std::optional<Las_frame>& frame) const
   {
-    write_cloud(out, cloud.points, Point_part(cloud.points, first, last), shapes,
-                {output_extension(path), options.colors, options.label_property, frame});
-  }
-
-  static std::optional<Las_frame> first_las_frame(const Input_cloud& cloud)
-  {
-    for(const Input_part& part : cloud.parts)
-      if(part.notes.las_frame)
-        return part.notes.las_frame;
-    return std::nullopt;
+    const std::string extension = output_extension(path);
+    write_cloud(out, {cloud.points, part, shapes, extension, options}, extension, frame);
   }
 
   const Options& options;
@@ -175,15 +154,6 @@ std::uint64_t hash_of_all(const Shapes& shapes, const std::vector<Input_part>& p
 
 // ---
 
-// What the back end that was chosen in the end ran on.
-void name_device(const Shapes& shapes, int threads, Run& run)
-{
-  if(shapes.statistics().backend == "cuda")
-    run.device = CGAL::Tandem::cuda_device_report();
-  if(shapes.statistics().backend == "parallel")
-    run.threads = threads;
-}
-
 // rest: for the message, if that fails.
 void print(const std::string& text, const char* rest)
 {
@@ -196,10 +166,10 @@ void print(const std::string& text, const char* rest)
 void write_files(Output_files& files, const Shapes& shapes, const Options& o, bool is_first, Run& run)
 {
   const std::size_t said = run.warnings.size();
-  std::optional<Progress_line> progress;
-  progress.emplace(!o.is_quiet && is_first, "writing");
-  files.write(shapes, run);
-  progress.reset();
+  {
+    const Progress_line progress(!o.is_quiet && is_first, "writing");
+    files.write(shapes, run);
+  }
   for(std::size_t i = said; i < run.warnings.size(); ++i)
     warn(run.warnings[i]);
 }
@@ -207,17 +177,11 @@ void write_files(Output_files& files, const Shapes& shapes, const Options& o, bo
 // Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
 std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
 try {
-  std::optional<Progress_line> progress;
-  progress.emplace(!o.is_quiet && !o.mesh.empty(), "making the mesh");
-  const std::optional<Mesh_facts> facts = files.write_mesh(shapes);
-  progress.reset();
-  if(!facts)
-    return {};
-  run.mesh =
-    std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
-    std::to_string(facts->usable_planes) + " planes, with " +
-    std::to_string(100 * facts->points / (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1))) +
-    " % of the points of shapes";
+  const Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
+  const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
+  if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes))
+    run.mesh = text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes, with ",
+                       100 * facts->points / points, " % of the points of shapes");
   return {};
 } catch(const std::bad_alloc&) {
   return "--mesh: not enough memory";
@@ -227,35 +191,19 @@ try {
   return e.what();
 }
 
-// The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
-void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
+// The mesh and the summary, when all other files are complete.
+void finish(Output_files& files, const Shapes& shapes, const Options& o, Ranks& ranks, Run& run)
 {
-  for(bool is_turn_of_first : {true, false})
-    ranks.together([&] {
-      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
-        folders.make(o.output_directory);
-    });
-}
-
-// Those that are known before the report is written.
-std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                      const Ranks& ranks, const Run& run)
-{
-  const Cloud_box box = box_of(points, ranks);
-  std::vector<std::string> warnings = cloud_warnings(points, box, run.tolerance.mean, ranks);
-  const bool has_one_distance = o.maximum_distance && !run.tolerance.is_of_each_point;
-  for(std::string& warning : result_warnings(points, shapes, box, has_one_distance, ranks))
-    warnings.push_back(std::move(warning));
-  if(!o.known_planes.empty() && shapes.statistics().number_of_assigned_points == 0)
-    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
-                       ": a larger --maximum-distance or --maximum-angle takes more");
-  return warnings;
-}
-
-void add_sentence(std::vector<std::string>& warnings, const std::string& sentence)
-{
-  if(!sentence.empty())
-    warnings.push_back(sentence);
+  const std::string failure = make_mesh(files, shapes, o, run);
+  const char* rest = files.is_empty() ? "" : "; the other files are complete";
+  if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
+    rest = "; the files are complete";
+  ranks.together([&] {
+    if(!o.is_quiet && ranks.is_first())
+      print(summary(shapes, run), rest);
+    if(!failure.empty())
+      throw_error(failure, rest);
+  });
 }
 
 void run(Options o, Ranks& ranks, Made_folders& folders)
@@ -268,13 +216,17 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   Run run;
   run.ranks = ranks.size();
   Input_cloud cloud;
-  const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
-  read_inputs(o, rank_of_input, ranks, cloud, run);
+  const std::vector<int> rank_of_input = read_inputs(o, ranks, cloud, run);
   std::vector<Point_set::Index> hidden;
   if(o.ignores_zeros)
     hidden = hide_zeros(cloud.points, ranks, run.zeros);
   std::optional<Output_files> files;
-  make_directory(o, ranks, folders);
+  // The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
+  for(bool is_turn_of_first : {true, false})
+    ranks.together([&] {
+      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
+        folders.make(o.output_directory);
+    });
   ranks.together([&] {
     files.emplace(o, cloud, ranks.is_first());
     prepare_normals(cloud.points, o, run);
@@ -285,19 +237,18 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
-  name_device(*shapes, limit.threads(), run);
+  // What the back end that was chosen in the end ran on.
+  const std::string& backend = shapes->statistics().backend;
+  run.device = backend == "cuda" ? CGAL::Tandem::cuda_device_report() : "CPU";
+  run.threads = backend == "parallel" ? limit.threads() : 1;
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
-  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
-  add_sentence(warnings, sides.warning());
+  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run.tolerance);
+  warnings.emplace_back(sides.warning());
   ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
-  add_sentence(warnings, warning_of_planes(cloud.points, *shapes, o));
+  warnings.push_back(warning_of_planes(cloud.points, *shapes, o));
   run.hash = ranks.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, ranks) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : warnings) {
-    if(ranks.is_first())
-      warn(warning);
-    run.warnings.push_back(warning);
-  }
+  add_warnings(warnings, ranks.is_first(), run);
   for(Point_set::Index i : hidden)
     cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
   const Shapes& sided = sides(*shapes);
@@ -310,16 +261,7 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
     files->commit();
     folders.keep();
   });
-  const std::string failure = make_mesh(*files, *shapes, o, run);
-  const char* rest = files->is_empty() ? "" : "; the other files are complete";
-  if(failure.empty() && !(files->is_empty() && o.mesh.empty()))
-    rest = "; the files are complete";
-  ranks.together([&] {
-    if(!o.is_quiet && ranks.is_first())
-      print(summary(*shapes, run), rest);
-    if(!failure.empty())
-      throw_error(failure, rest);
-  });
+  finish(*files, *shapes, o, ranks, run);
 }
 
 void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_folders& folders)

@@ -184,12 +184,6 @@ inline bool look_like_degrees(const Cloud_box& box)
          box.side(2) > smallest_height_in_degrees * side;
 }
 
-inline std::string warning_of_degrees(const Cloud_box& box)
-{
-  return sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ", box.side(0),
-                  ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees);
-}
-
 inline std::string warning_of_steps(const Point_set& points, double tolerance, const Ranks& ranks)
 {
   const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, ranks);
@@ -203,21 +197,6 @@ inline std::string warning_of_steps(const Point_set& points, double tolerance, c
                   steps.are_floats
                     ? ": write doubles, or subtract an offset before they become floats, which have 24 bits"
                     : ": write more digits");
-}
-
-// tolerance: the mean of those of points.
-inline std::vector<std::string> cloud_warnings(const Point_set& points, const Cloud_box& box, double tolerance,
-                                               const Ranks& ranks)
-{
-  std::vector<std::string> warnings;
-  if(are_zeros_strange(box))
-    warnings.push_back(advice_on_zeros(box));
-  if(look_like_degrees(box))
-    warnings.push_back(warning_of_degrees(box));
-  const std::string steps = tolerance > 0 ? warning_of_steps(points, tolerance, ranks) : "";
-  if(!steps.empty())
-    warnings.push_back(steps);
-  return warnings;
 }
 
 // --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
@@ -285,18 +264,28 @@ inline std::string why_poor(const CGAL::Tandem::Statistics& s)
                   percent(reason.points), " % are ", reason.name, ": ", reason.advice);
 }
 
-// Of the whole run, on all ranks.
-inline std::vector<std::string> result_warnings(const Point_set& points, const Shapes& shapes, const Cloud_box& box,
-                                                bool is_distance_given, const Ranks& ranks)
+// Of the whole run, on all ranks. Some of them may be empty.
+inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                             const Ranks& ranks, const Tolerance_facts& tolerance)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const double extent = box.extent(), share = share_in_shapes(s, box);
-  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0; // estimates cover the noise
+  const Cloud_box box = box_of(points, ranks);
+  const double extent = box.extent();
   std::vector<std::string> warnings;
+  if(are_zeros_strange(box))
+    warnings.push_back(advice_on_zeros(box));
+  if(look_like_degrees(box))
+    warnings.push_back(sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ",
+                                box.side(0), ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees));
+  if(tolerance.mean > 0)
+    warnings.push_back(warning_of_steps(points, tolerance.mean, ranks));
+  // Estimates cover the noise.
+  const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
+  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0;
   if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
-  else if(share < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
+  else if(share_in_shapes(s, box) < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
     warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
@@ -306,8 +295,10 @@ inline std::vector<std::string> result_warnings(const Point_set& points, const S
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
-  if(!s.angle_note.empty())
-    warnings.push_back(with_options(s.angle_note));
+  warnings.push_back(with_options(s.angle_note));
+  if(!o.known_planes.empty() && s.number_of_assigned_points == 0)
+    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
+                       ": a larger --maximum-distance or --maximum-angle takes more");
   return warnings;
 }
 

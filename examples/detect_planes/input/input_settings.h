@@ -5,6 +5,7 @@
 #define DETECT_PLANES_INPUT_SETTINGS_H
 
 #include "errors.h"
+#include "file_names.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -94,11 +95,6 @@ using Row_values = std::array<double, std::size_t(Column::none)>;
 
 inline const char* name_of(Column c) { return column_names[std::size_t(c)]; }
 
-inline bool is_in(std::string_view name, std::initializer_list<const char*> names)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // Names as CloudCompare, PCL, PDAL and others write them; `none` for any other.
 inline Column column_of_name(std::string_view text)
 {
@@ -120,10 +116,7 @@ inline Column column_of_name(std::string_view text)
   return Column::none;
 }
 
-inline bool has_column(const std::vector<Column>& columns, Column c)
-{
-  return std::find(columns.begin(), columns.end(), c) != columns.end();
-}
+inline bool has_column(const std::vector<Column>& columns, Column c) { return is_in(c, columns); }
 
 inline bool has_coordinates(const std::vector<Column>& columns)
 {

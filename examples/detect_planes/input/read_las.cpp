@@ -197,23 +197,13 @@ void read_records(Input_buffer& in, const Las_header& h, const Las_dimension* to
 {
   std::vector<char> record(h.record_length);
   for(std::uint64_t i = 0; i < h.count; ++i) {
-    if(in.sgetn(record.data(), h.record_length) != h.record_length) {
-      check_signals();
-      throw_error("unreadable after point ", i, " of ", h.count);
-    }
+    if(in.sgetn(record.data(), h.record_length) != h.record_length)
+      fail_after(i, h.count);
     Point_row row = point_of_record(record.data(), h);
     if(tolerance != nullptr)
       row.tolerance = value_of(record.data() + tolerance->position, *tolerance);
     builder.add(row);
   }
-}
-
-void check_room(Input_buffer& in, const Las_header& h)
-{
-  const std::uint64_t bytes = in.position() + in.left();
-  const std::uint64_t room = h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0;
-  if(room < h.count)
-    throw_error("is truncated: ", h.count, " points announced, room for ", room);
 }
 
 } // namespace
@@ -234,7 +224,8 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
       return read_laz_points(path, h, tolerance, builder);
     throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
   }
-  check_room(in, h);
+  const std::uint64_t bytes = in.position() + in.left();
+  check_room(h.count, h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0);
   in.skip(h.first_point - in.position());
   if(settings.classes.empty() && !settings.crop)
     points.reserve(std::size_t(h.count));

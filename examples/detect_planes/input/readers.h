@@ -26,6 +26,30 @@ Fields fields_of(const Has& has)
           has(Column::classification), has(Column::tolerance)};
 }
 
+// Where a file that names what its points have, has each of the columns.
+using Column_places = std::array<std::size_t, std::size_t(Column::none)>;
+constexpr std::size_t nowhere = std::size_t(-1);
+
+// kind: what has these names, for the message.
+inline Fields fields_of(const Column_places& places, const Input_settings& settings, const char* kind)
+{
+  const Fields fields = fields_of([&](Column c) { return places[std::size_t(c)] != nowhere; });
+  if(!settings.classes.empty() && !fields.classification)
+    throw_error("has no ", kind, " 'classification', which --classes needs");
+  return fields;
+}
+
+// number(place): 0 where there is none.
+template <class Number>
+Row_values values_at(const Column_places& places, const Number& number)
+{
+  Row_values values = {};
+  for(std::size_t c = 0; c < values.size(); ++c)
+    if(places[c] != nowhere)
+      values[c] = number(places[c]);
+  return values;
+}
+
 struct Point_row {
   double point[3] = {0, 0, 0};
   double normal[3] = {0, 0, 0};
@@ -43,8 +67,6 @@ Integer clamped(double x)
   return x > 0 ? Integer(std::lround((std::min)(x, largest))) : Integer(0);
 }
 
-inline std::uint8_t class_of_number(double x) { return x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0); }
-
 // But for the color.
 inline Point_row row_of(const Row_values& values)
 {
@@ -54,7 +76,8 @@ inline Point_row row_of(const Row_values& values)
     row.normal[c] = values[std::size_t(Column::nx) + c];
   }
   row.intensity = float(values[std::size_t(Column::intensity)]);
-  row.classification = class_of_number(values[std::size_t(Column::classification)]);
+  const double classification = values[std::size_t(Column::classification)];
+  row.classification = classification > 0 && classification < 256 ? std::uint8_t(classification) : std::uint8_t(0);
   row.tolerance = values[std::size_t(Column::tolerance)];
   return row;
 }
@@ -83,13 +106,12 @@ public:
   // Whether the point is taken.
   bool add(const Point_row& row)
   {
-    const std::vector<int>& classes = settings.classes;
     const Kernel::Point_3 point(row.point[0], row.point[1], row.point[2]);
     if(settings.crop && is_finite(point))
       notes.box += point.bbox();
     if(settings.crop && !is_within(row.point, *settings.crop))
       return false;
-    if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
+    if(!settings.classes.empty() && !is_in(row.classification, settings.classes))
       return false;
     const Point_set::Index i = *points.insert(point);
     if(fields.normal)
@@ -105,13 +127,13 @@ public:
     return true;
   }
 
-  // `new_colors[i]` is that of the i-th point.
-  template <class Colors>
-  void set_colors(const Colors& new_colors)
+  // next(): the channels, point by point.
+  template <class Next>
+  void set_colors(Next next)
   {
-    std::size_t count = 0;
     for(Point_set::Index i : points)
-      colors[i] = new_colors[count++];
+      for(std::uint16_t& channel : colors[i])
+        channel = next();
   }
 
   // Makes 16 bits of colors that use 8.
@@ -206,9 +228,7 @@ public:
     if(!std::isfinite(areas.back()))
       throw std::runtime_error("has faces whose area is not finite");
     Point_set points;
-    Fields fields;
-    fields.normal = true;
-    Cloud_builder builder(points, fields, settings, notes);
+    Cloud_builder builder(points, {true, false, false, false, false}, settings, notes);
     std::size_t t = 0;
     for(std::size_t i = 0; i < *settings.sample; ++i) {
       const double place = (double(i) + random(3 * i)) * step;
@@ -301,6 +321,18 @@ inline double number_of_type(const char* bytes, char type, std::size_t size)
          : size == 2 ? number(std::int16_t(), std::uint16_t())
          : size == 4 ? number(std::int32_t(), std::uint32_t())
                      : number(std::int64_t(), std::uint64_t());
+}
+
+inline void check_room(std::uint64_t points, std::uint64_t room)
+{
+  if(points > room)
+    throw_error("is truncated: ", points, " points announced, room for ", room);
+}
+
+[[noreturn]] inline void fail_after(std::uint64_t point, std::uint64_t points)
+{
+  check_signals();
+  throw_error("unreadable after point ", point, " of ", points);
 }
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.

@@ -80,7 +80,7 @@ struct Run {
   std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
   std::vector<std::string> warnings;                      // of the reading, and of the result
   std::string normals;                                    // "given", "estimated" or how else
-  std::string device = "CPU";
+  std::string device;                                     // "CPU", or what is known of it
   Tolerance_facts tolerance;
   std::size_t zeros = 0;   // points at 0 0 0 that --ignore-zeros leaves out
   std::string mesh;        // what there is to say about it
@@ -242,12 +242,7 @@ inline Json uncertainties(const Shapes& shapes)
           {"angle_deg", list(&Uncertainty::angle_deg)}};
 }
 
-inline std::string hash_text(const Run& run)
-{
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << run.hash;
-  return text.str();
-}
+inline std::string hash_text(const Run& run) { return text_of(std::hex, std::setw(16), std::setfill('0'), run.hash); }
 
 inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run)
 {

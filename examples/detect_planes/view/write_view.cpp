@@ -157,12 +157,12 @@ Json json_of_scene(const Shapes& shapes, const Run& run, const Thinned_points& t
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
 // from the inside to the outside, with the blocks of each reach apart. Gives the positions as they were written.
-std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& points, const Shapes& shapes,
-                                        const Thinned_points& thinned, const CGAL::Bbox_3& box)
+Positions write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned,
+                       const CGAL::Bbox_3& box)
 {
+  constexpr std::ptrdiff_t block_size = 4096;
   const Kernel::Point_3 center = center_of(box);
-  const Point_block_writer writer(points, shapes, center);
-  std::vector<std::uint32_t> positions = thinned.positions;
+  Positions positions = thinned.positions;
   auto written = positions.begin(), next = positions.end() - std::ptrdiff_t(thinned.shown.back());
   double reach = 2 * (std::max)({box.x_span(), box.y_span(), box.z_span(), 1e-300});
   const auto is_near = [&](std::uint32_t position) {
@@ -171,8 +171,10 @@ std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& poin
   };
   for(; written != positions.end(); reach *= 64) {
     next = std::stable_partition(next, positions.end(), is_near);
-    writer.write(out, written, next);
-    written = next;
+    for(auto end = written; written != next; written = end) {
+      end += (std::min)(block_size, next - written);
+      out << base64(block_of(points, shapes, center, Positions(written, end))) << '\n';
+    }
   }
   return positions;
 }
@@ -197,7 +199,7 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned, box);
+  const Positions positions = write_points(out, points, shapes, thinned, box);
   out << "</script>\n";
   write_areas(out, described.areas(), center);
   write_input_colors(out, points, positions);
