@@ -10,7 +10,7 @@
 #include "Options.h"
 #include "file_names.h"
 #include "input/Input_buffer.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 
 #include <CGAL/Tandem/check_parameters.h>
 

@@ -117,9 +117,6 @@ public:
     out << '\r' << std::string(width, ' ') << '\r' << std::flush;
   }
 
-  Progress_line(const Progress_line&) = delete;
-  Progress_line& operator=(const Progress_line&) = delete;
-
   // Of a detection.
   void show(double progress)
   {

@@ -6,13 +6,28 @@
 #ifndef DETECT_PLANES_WARNINGS_H
 #define DETECT_PLANES_WARNINGS_H
 
-#include "tolerance/Tolerances.h"
+#include "ranks/Ranks.h"
+#include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
 #include <new>
 
 namespace program {
+
+// What the library says of an estimate, with the options in place of its words.
+inline std::string with_options(std::string note)
+{
+  const std::pair<const char*, const char*> words[] = {
+    {"maximum_distance", "--maximum-distance"},
+    {"maximum_angle", "--maximum-angle"},
+    {"angle_tolerance", "--angle-tolerance"},
+    {"a tolerance for each point", "a tolerance for each point (--maximum-distance auto-local)"}};
+  for(const auto& [word, option] : words)
+    if(const std::size_t place = note.find(word); place != note.npos)
+      note.replace(place, std::strlen(word), option);
+  return note;
+}
 
 // --- The steps that coordinates come in, where digits of them were lost.
 

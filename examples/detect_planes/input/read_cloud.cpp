@@ -21,19 +21,6 @@ std::unique_ptr<Byte_source> open_bytes(const std::string& path)
 
 namespace {
 
-// The format that the first bytes tell, or nothing.
-std::string format_of_bytes(const std::string& path)
-{
-  std::string bytes(8, '\0');
-  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
-  const std::pair<const char*, const char*> beginnings[] = {
-    {"ply\n", "ply"}, {"ply\r", "ply"}, {"LASF", "las"}, {"# .PCD", "pcd"}, {"OFF", "off"}};
-  for(const auto& [beginning, format] : beginnings)
-    if(bytes.compare(0, std::strlen(beginning), beginning) == 0)
-      return format;
-  return "";
-}
-
 void check_format(const std::string& path, const std::string& given)
 {
   const std::string extension = input_format(path, given);
@@ -45,7 +32,13 @@ void check_format(const std::string& path, const std::string& given)
   if(is_in(extension, {".stl", ".obj", ".glb"}))
     throw_error("meshes ", extension, " are not read; convert to PLY or OFF, and give --sample N, ",
                 "the number of points on its faces");
-  const std::string format = format_of_bytes(path);
+  std::string bytes(8, '\0'), format; // that the first bytes tell, or nothing
+  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
+  const std::pair<const char*, const char*> beginnings[] = {
+    {"ply\n", "ply"}, {"ply\r", "ply"}, {"LASF", "las"}, {"# .PCD", "pcd"}, {"OFF", "off"}};
+  for(const auto& [beginning, name] : beginnings)
+    if(bytes.compare(0, std::strlen(beginning), beginning) == 0)
+      format = name;
   throw_error("unknown format '", extension, "', expected .ply, .las, ", has_laszip ? ".laz, " : "",
               ".pcd, .off, .ptx, ", table_names(), has_gzip ? ", or one of these with .gz" : "", "; --format ",
               (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
@@ -87,15 +80,6 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   read_off(*file, settings, points, notes);
 }
 
-// What to say of a file without points that are taken.
-std::string why_no_points(const Input_settings& settings, const Input_notes& notes)
-{
-  const bool is_cropped = notes.box.xmin() <= notes.box.xmax();
-  return text_of("has no points", is_cropped ? " in the box of --crop" : "",
-                 settings.classes.empty() ? "" : " of the --classes",
-                 is_cropped ? ": its own is " + text_of(notes.box) : "");
-}
-
 void check_points(Point_set& points)
 {
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
@@ -121,16 +105,6 @@ void keep_property(bool is_kept, const char* name, Point_set& points)
     points.add_property_map<T>(name);
   if(auto map = find_property<T>(points, name); map && !is_kept)
     points.remove_property_map(*map);
-}
-
-// Both have the same attributes then.
-void reduce_attributes(Point_set& more, Input_cloud& cloud)
-{
-  const Attributes attributes = attributes_of(more);
-  cloud.of_all &= attributes;
-  cloud.of_some |= attributes;
-  keep_attributes(cloud.of_all, more);
-  keep_attributes(cloud.of_all, cloud.points);
 }
 
 // f(), whose errors get the name of the file. What a signal has cut off is no fault of the file.
@@ -176,7 +150,10 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
     check_signals();
     if(!points.empty())
       return check_points(points);
-    const std::string message = why_no_points(settings, notes);
+    const bool is_cropped = notes.box.xmin() <= notes.box.xmax();
+    const std::string message = text_of("has no points", is_cropped ? " in the box of --crop" : "",
+                                        settings.classes.empty() ? "" : " of the --classes",
+                                        is_cropped ? ": its own is " + text_of(notes.box) : "");
     if(!may_be_empty)
       throw std::runtime_error(message);
     notes.warnings.push_back(message);
@@ -201,8 +178,12 @@ void read_clouds(const std::vector<std::string>& paths, const std::vector<std::s
     Point_set& points = first == 0 ? cloud.points : next;
     Input_notes notes;
     read_cloud(path, settings, paths.size() > 1, points, notes);
-    if(!points.empty())
-      reduce_attributes(points, cloud);
+    if(!points.empty()) {
+      cloud.of_all &= attributes_of(points);
+      cloud.of_some |= attributes_of(points);
+      for(Point_set* part : {&points, &cloud.points})
+        keep_attributes(cloud.of_all, *part);
+    }
     for(std::string& warning : notes.warnings)
       warning.insert(0, path + ": ");
     if(first > 0)

@@ -3,7 +3,7 @@
 
 #include "Options.h"
 #include "file_names.h"
-#include "input/las_header.h"
+#include "input/readers.h"
 
 namespace program {
 
@@ -17,38 +17,18 @@ void read_exactly(Input_buffer& in, char* bytes, std::size_t count, const char* 
     throw_error("is truncated: ", what, " is not complete");
 }
 
-Las_frame read_frame(const char* bytes)
-{
-  Las_frame frame;
-  for(std::size_t i = 0; i < 3; ++i) {
-    frame.scale[i] = number_at<double>(bytes + 131 + 8 * i);
-    frame.offset[i] = number_at<double>(bytes + 155 + 8 * i);
-    if(!std::isfinite(frame.scale[i]) || frame.scale[i] == 0 || !std::isfinite(frame.offset[i]))
-      throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
-  }
-  return frame;
-}
-
-void check_point_format(const Las_header& h)
-{
-  if(h.point_format > 10)
-    throw_error("has LAS points of the unknown format ", h.point_format, ", expected 0 to 10");
-  const std::size_t least = las_point_size(h.point_format);
-  if(h.record_length < least)
-    throw_error("has LAS points of ", h.record_length, " bytes, the format ", h.point_format, " needs ", least);
-}
-
 // What the records hold. If that is both, the flag of the header says which to use.
 Projection projection_of(const std::vector<std::string>& records, bool is_declared_wkt)
 {
-  constexpr std::uint16_t wkt = 2112, geotiff_keys = 34735;
-  const auto has = [&records](std::uint16_t id) {
-    return std::any_of(records.begin(), records.end(),
-                       [id](const std::string& r) { return number_at<std::uint16_t>(r.data() + 18) == id; });
-  };
-  if(has(wkt) && (is_declared_wkt || !has(geotiff_keys)))
-    return Projection::wkt;
-  return has(geotiff_keys) ? Projection::geotiff : Projection::none;
+  bool has_wkt = false, has_geotiff_keys = false;
+  for(const std::string& record : records) {
+    const std::uint16_t id = number_at<std::uint16_t>(record.data() + 18);
+    has_wkt = has_wkt || id == 2112;
+    has_geotiff_keys = has_geotiff_keys || id == 34735;
+  }
+  return has_wkt && (is_declared_wkt || !has_geotiff_keys) ? Projection::wkt
+         : has_geotiff_keys                                ? Projection::geotiff
+                                                           : Projection::none;
 }
 
 // Whether a record of the header describes the extra bytes of the points.
@@ -147,8 +127,17 @@ Las_header read_las_header(Input_buffer& in)
   h.point_format = bytes[104] & 0x3F;
   h.record_length = number_at<std::uint16_t>(bytes + 105);
   h.count = number_at<std::uint32_t>(bytes + 107);
-  h.frame = read_frame(bytes);
-  check_point_format(h);
+  for(std::size_t i = 0; i < 3; ++i) {
+    h.frame.scale[i] = number_at<double>(bytes + 131 + 8 * i);
+    h.frame.offset[i] = number_at<double>(bytes + 155 + 8 * i);
+    if(!std::isfinite(h.frame.scale[i]) || h.frame.scale[i] == 0 || !std::isfinite(h.frame.offset[i]))
+      throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
+  }
+  if(h.point_format > 10)
+    throw_error("has LAS points of the unknown format ", h.point_format, ", expected 0 to 10");
+  const std::size_t least = las_point_size(h.point_format);
+  if(h.record_length < least)
+    throw_error("has LAS points of ", h.record_length, " bytes, the format ", h.point_format, " needs ", least);
   if(h.minor_version == 4 && header_size >= header_1_4) {
     read_exactly(in, bytes + smallest_header, header_1_4 - smallest_header, "the LAS header");
     const std::uint64_t count = number_at<std::uint64_t>(bytes + 247);

@@ -77,12 +77,6 @@ struct Pcd_header {
 // The words of each line, before they are put together.
 using Lines = std::map<std::string, std::vector<std::string>>;
 
-std::vector<std::string> words_of(const std::string& line)
-{
-  std::istringstream in(line);
-  return {std::istream_iterator<std::string>(in), {}};
-}
-
 std::uint64_t parse_number_of(const std::string& key, const std::string& word)
 {
   constexpr std::size_t most_digits = 15;
@@ -107,9 +101,8 @@ Pcd_header::Field make_field(Lines& lines, std::size_t i)
   f.size = std::size_t(parse_number_of("SIZE", lines["SIZE"][i]));
   f.type = type[0];
   f.count = lines["COUNT"].empty() ? 1 : std::size_t(parse_number_of("COUNT", lines["COUNT"][i]));
-  const bool is_integer = f.type == 'I' || f.type == 'U';
-  const bool is_known = is_integer ? f.size == 1 || f.size == 2 || f.size == 4 || f.size == 8
-                                   : f.type == 'F' && (f.size == 4 || f.size == 8);
+  const bool is_known = ((f.type == 'I' || f.type == 'U') && (f.size == 1 || f.size == 2)) ||
+                        ((f.type == 'I' || f.type == 'U' || f.type == 'F') && (f.size == 4 || f.size == 8));
   constexpr std::size_t most = 65536;
   if(!is_known || type.size() != 1 || f.count > most)
     throw_error("the PCD field '", f.name, "' has the type ", type, " of ", f.size, " bytes, ", f.count,
@@ -151,7 +144,8 @@ Pcd_header read_pcd_header(Text_lines& text)
 {
   Lines lines;
   while(text.next()) {
-    std::vector<std::string> words = words_of(text.row().text);
+    std::istringstream line(text.row().text);
+    std::vector<std::string> words(std::istream_iterator<std::string>(line), {});
     if(words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -247,8 +241,7 @@ std::string decompress(Input_buffer& in, const Pcd_header& h)
 void read_compressed(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
 {
   const std::string bytes = decompress(in, h);
-  const std::size_t n = std::size_t(h.points);
-  for(std::size_t i = 0; i < n; ++i)
+  for(std::size_t i = 0, n = std::size_t(h.points); i < n; ++i)
     builder.add(
       row_of_bytes(used, [&](const Field& f) { return bytes.data() + f.position * n + i * f.size * f.count; }));
 }

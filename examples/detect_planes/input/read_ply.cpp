@@ -45,27 +45,14 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 
-  bool has_points() const { return name == "vertex" || name == "vertices"; }
-  bool has_faces() const { return count > 0 && (name == "face" || name == "faces" || name == "tristrips"); }
-  bool has_list() const
-  {
-    return std::any_of(properties.begin(), properties.end(), [](const Property& p) { return p.count.has_value(); });
-  }
+  bool has_points() const { return is_in(name, {"vertex", "vertices"}); }
+  bool has_faces() const { return count > 0 && is_in(name, {"face", "faces", "tristrips"}); }
 };
 
 struct Header {
   std::string format;
   std::vector<Element> elements;
 };
-
-Element parse_element(std::istream& words)
-{
-  std::string name;
-  std::int64_t count = -1;
-  if(!(words >> name >> count) || count < 0)
-    throw_error("the PLY header has no number of items for the element '", name, "'");
-  return {name, std::uint64_t(count), {}};
-}
 
 Property parse_property(std::istream& words)
 {
@@ -106,7 +93,11 @@ Header read_header(Text_lines& lines)
       if(!is_in(header.format, {"ascii", "binary_little_endian", "binary_big_endian"}))
         throw_error("unknown format '", header.format, "' of PLY");
     } else if(keyword == "element") {
-      header.elements.push_back(parse_element(words));
+      std::string name;
+      std::int64_t count = -1;
+      if(!(words >> name >> count) || count < 0)
+        throw_error("the PLY header has no number of items for the element '", name, "'");
+      header.elements.push_back({name, std::uint64_t(count), {}});
     } else if(keyword == "property") {
       if(header.elements.empty())
         throw std::runtime_error("the PLY header has an incomplete property");
@@ -187,8 +178,10 @@ public:
   Rows(Input_buffer& in, const std::string& format, const Element& element)
     : in(in), element(element), is_ascii(format == "ascii"), is_big(format == "binary_big_endian")
   {
-    for(const Property& p : element.properties)
+    for(const Property& p : element.properties) {
       least_size += is_ascii ? 2 : p.count.value_or(p.type).size;
+      have_one_size = have_one_size && !is_ascii && !p.count;
+    }
     if(least_size == 0)
       return;
     // The last row of a text need not have an end.
@@ -201,7 +194,7 @@ public:
   // Passes over all of them.
   void skip()
   {
-    if(!is_ascii && !element.has_list())
+    if(have_one_size)
       in.skip(least_size * element.count);
     else
       while(least_size > 0 && row < element.count)
@@ -241,21 +234,19 @@ public:
 private:
   std::uint64_t read_count(const Property& p)
   {
-    const std::uint64_t count = is_ascii ? read_text_count() : std::uint64_t(read_bytes({'U', p.count->size}));
+    std::uint64_t count = 0;
+    if(is_ascii) {
+      read_word(20);
+      const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
+      if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
+        throw_error(place(), " has '", word, "' where the number of items of a list is expected");
+    } else {
+      count = std::uint64_t(read_bytes({'U', p.count->size}));
+    }
     const std::uint64_t room = is_ascii ? in.left() / 2 + 1 : in.left() / p.type.size;
     if(count > p.count->largest() || count > room)
       throw_error(place(), " has ", count, " items in the list '", p.name, "', room for ",
                   (std::min)(room, p.count->largest()), " at most");
-    return count;
-  }
-
-  std::uint64_t read_text_count()
-  {
-    read_word(20);
-    std::uint64_t count = 0;
-    const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
-    if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
-      throw_error(place(), " has '", word, "' where the number of items of a list is expected");
     return count;
   }
 
@@ -339,7 +330,7 @@ private:
   static constexpr int eof = std::streambuf::traits_type::eof();
   Input_buffer& in;
   const Element& element;
-  bool is_ascii, is_big;
+  bool is_ascii, is_big, have_one_size = true;
   std::uint64_t least_size = 0; // of a row
   std::uint64_t row = 0;        // from 1 on
   std::size_t length = 0;       // of the line, or of the number, as far as it is read
@@ -410,7 +401,7 @@ void read_points(Rows& rows, const Element& element, const Input_settings& setti
 void add_faces(Rows& rows, const Element& element, Mesh_faces& faces)
 {
   const auto are_corners = [](const Property& p) {
-    return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
+    return p.count && is_in(p.name, {"vertex_indices", "vertex_index"});
   };
   const auto corners = std::find_if(element.properties.begin(), element.properties.end(), are_corners);
   if(element.name == "tristrips" || corners == element.properties.end())

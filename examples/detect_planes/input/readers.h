@@ -7,7 +7,7 @@
 #define DETECT_PLANES_READERS_H
 
 #include "input/Input_buffer.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 #include "input/point_set.h"
 
 namespace program {
@@ -334,6 +334,52 @@ inline void check_room(std::uint64_t points, std::uint64_t room)
   check_signals();
   throw_error("unreadable after point ", point, " of ", points);
 }
+
+// --- LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+
+// A number behind the bytes of the point format, as a record of the header describes it.
+struct Las_dimension {
+  std::string name;
+  char type; // as that of number_of_type()
+  std::size_t size;
+  std::size_t position; // in the record of a point
+  double scale, offset;
+};
+
+// Of the bytes of the dimension.
+double value_of(const char* bytes, const Las_dimension& dimension);
+
+struct Las_header {
+  int minor_version = 0;
+  int point_format = 0;
+  bool is_compressed = false; // LAZ
+  std::uint16_t record_length = 0;
+  std::uint64_t first_point = 0; // position in the file
+  std::uint64_t count = 0;
+  Las_frame frame;
+  std::vector<Las_dimension> dimensions;
+
+  bool has_color() const { return color_position() > 0; }
+
+  // In the record of a point, 0 if there is no color.
+  std::size_t color_position() const
+  {
+    constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
+    return positions[point_format];
+  }
+};
+
+Las_header read_las_header(Input_buffer& in);
+
+// Rounded after each operation, also where the processor could do both at once.
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
+
+// The bytes of a point of this format without extra ones.
+std::size_t las_point_size(int point_format);
+
+// The points that LASzip reads. tolerance: the dimension that has it, or null.
+void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
+                     Cloud_builder& builder);
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

@@ -165,9 +165,6 @@ public:
       keep_mode(status.permissions() & fs::perms::all);
   }
 
-  Output_file(const Output_file&) = delete;
-  Output_file& operator=(const Output_file&) = delete;
-
   // Everything is on its way to the disk, or it throws.
   template <class Write>
   void write(const Write& write)
@@ -210,10 +207,6 @@ private:
 // The folders that a run has made. They go with it if it fails, also by a signal, unless something is in them.
 class Made_folders {
 public:
-  Made_folders() = default;
-  Made_folders(const Made_folders&) = delete;
-  Made_folders& operator=(const Made_folders&) = delete;
-
   ~Made_folders()
   {
     while(!made.empty())

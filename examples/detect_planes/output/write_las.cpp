@@ -3,7 +3,7 @@
 
 #include "output/writers.h"
 
-#include "input/las_header.h"
+#include "input/readers.h"
 
 namespace program {
 

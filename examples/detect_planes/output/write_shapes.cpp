@@ -155,14 +155,6 @@ void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 
 // --- GeoJSON, of which no more than a polygon is in memory at once
 
-// Exterior rings are counterclockwise as seen from above, as RFC 7946 wants it. Upright ones are so about the normal of
-// the written plane.
-bool is_seen_from_below(const Shapes& shapes, std::size_t s)
-{
-  constexpr double rounding = 1e-9; // of unit normals; it is far less than that
-  return shapes.coefficients(s)[2] < -rounding;
-}
-
 // The first corner again at the end.
 Json json_of_ring(const Shape_areas& areas, Polygon::Loop ring, bool is_reversed)
 {
@@ -179,8 +171,11 @@ Json json_of_ring(const Shape_areas& areas, Polygon::Loop ring, bool is_reversed
 void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, std::size_t s,
                        bool has_triangles_only)
 {
+  // Exterior rings are counterclockwise as seen from above, as RFC 7946 wants it. Upright ones are so about the normal of
+  // the written plane.
+  constexpr double rounding = 1e-9; // of unit normals; it is far less than that
+  const bool is_reversed = shapes.coefficients(s)[2] < -rounding;
   const char* before = "\n   ";
-  const bool is_reversed = is_seen_from_below(shapes, s);
   const auto write_polygon = [&](const Polygon::Loop& outer, const std::vector<Polygon::Loop>& holes) {
     Json json = Json::array({json_of_ring(areas, outer, is_reversed)});
     for(const Polygon::Loop& hole : holes)

@@ -7,7 +7,7 @@
 #define DETECT_PLANES_WRITERS_H
 
 #include "Options.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 #include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>

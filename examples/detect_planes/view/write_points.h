@@ -70,7 +70,8 @@ void write_numbers(std::ostream& out, const char* id, const Write& write)
 class Thinned_points {
 public:
   Thinned_points(const Point_set& points, const Shapes& shapes, std::size_t largest_size)
-    : stride(stride_of(points, largest_size)), shown(shapes.number_of_shapes() + 1)
+    : stride((std::max)(std::size_t(1), (points.size() + largest_size - 1) / largest_size)),
+      shown(shapes.number_of_shapes() + 1)
   {
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       for(std::uint32_t i : shapes.points(s))
@@ -90,11 +91,6 @@ public:
   std::vector<std::size_t> shown;       // points of each shape; at the end, of none
 
 private:
-  static std::size_t stride_of(const Point_set& points, std::size_t largest_size)
-  {
-    return (std::max)(std::size_t(1), (points.size() + largest_size - 1) / largest_size);
-  }
-
   static std::uint64_t hash(std::uint64_t x)
   {
     x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdu;

@@ -21,36 +21,19 @@ namespace {
 
 using Polygon = CGAL::Tandem::Indexed_polygon;
 
-void write_loop(Base64_lines& lines, const Polygon::Loop& loop)
+// Their number, and of each its number of corners and these.
+void write_loops(Base64_lines& lines, const std::vector<Polygon>& polygons)
 {
-  lines.write(std::uint32_t(loop.size()));
-  for(std::uint32_t corner : loop)
-    lines.write(corner);
-}
-
-void write_loops(Base64_lines& lines, const Shape_areas& areas)
-{
-  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
-    std::size_t size = 0;
-    for(const Polygon& polygon : areas.polygons(s))
-      size += 1 + polygon.holes.size();
-    lines.write(std::uint32_t(size));
-    for(const Polygon& polygon : areas.polygons(s)) {
-      write_loop(lines, polygon.outer);
-      for(const Polygon::Loop& hole : polygon.holes)
-        write_loop(lines, hole);
-    }
+  std::vector<Polygon::Loop> loops;
+  for(const Polygon& polygon : polygons) {
+    loops.push_back(polygon.outer);
+    loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
   }
-}
-
-void write_triangles(Base64_lines& lines, const Shape_areas& areas)
-{
-  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
-    const auto triangles = areas.triangles(s);
-    lines.write(std::uint32_t(triangles.size()));
-    for(const auto& triangle : triangles)
-      for(std::uint32_t corner : triangle)
-        lines.write(corner);
+  lines.write(std::uint32_t(loops.size()));
+  for(const Polygon::Loop& loop : loops) {
+    lines.write(std::uint32_t(loop.size()));
+    for(std::uint32_t corner : loop)
+      lines.write(corner);
   }
 }
 
@@ -64,8 +47,19 @@ void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Poin
       for(int k = 0; k < 3; ++k)
         lines.write(float(p[k] - center[k]));
   });
-  write_numbers(out, "loops", [&](Base64_lines& lines) { write_loops(lines, areas); });
-  write_numbers(out, "triangles", [&](Base64_lines& lines) { write_triangles(lines, areas); });
+  write_numbers(out, "loops", [&](Base64_lines& lines) {
+    for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+      write_loops(lines, areas.polygons(s));
+  });
+  write_numbers(out, "triangles", [&](Base64_lines& lines) {
+    for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+      const auto triangles = areas.triangles(s);
+      lines.write(std::uint32_t(triangles.size()));
+      for(const auto& triangle : triangles)
+        for(std::uint32_t corner : triangle)
+          lines.write(corner);
+    }
+  });
 }
 
 // Three bytes for each of the positions, if the input has colors; else the element is empty.
