@@ -123,14 +123,6 @@ inline Box parse_box(const std::string& text)
   return Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]);
 }
 
-// The value of --format, as an extension.
-inline std::string parse_format(const std::string& text)
-{
-  refuse_if(!is_input_extension("." + text), "--format is '", text,
-            "', must be ply, las, laz, pcd, off, ptx or that of a text table (", table_names(), ") without the point");
-  return "." + text;
-}
-
 // Throws std::invalid_argument where the options are wrong, or cannot be meant.
 inline Input_settings input_settings(const Options& o)
 {
@@ -140,7 +132,9 @@ inline Input_settings input_settings(const Options& o)
   if(!o.columns.empty())
     settings.columns = parse_columns(o.columns, o.tolerance_column);
   if(!o.format.empty())
-    settings.format = parse_format(o.format);
+    settings.format = "." + o.format;
+  refuse_if(!o.format.empty() && !is_input_extension(settings.format), "--format is '", o.format,
+            "', must be ply, las, laz, pcd, off, ptx or that of a text table (", table_names(), ") without the point");
   const auto has_input_of = [&](auto is_right) {
     return std::any_of(o.inputs.begin(), o.inputs.end(),
                        [&](const std::string& path) { return is_right(input_format(path, settings.format)); });
@@ -231,16 +225,6 @@ inline void check_directory(const Options& o)
     refuse_if(!is_new && unique_name(place->second) != unique_name(input), "--output-directory: ", place->second,
               " and ", input, " would both become ", output);
   }
-}
-
-// A file of that name would surprise those who know - as standard input or output.
-inline void check_dashes(const Options& o)
-{
-  refuse_if(is_in("-", o.inputs), "INPUT is '-', must be the name of a file");
-  refuse_if(o.output_directory == "-", "--output-directory is '-', must be the name of a folder");
-  for(const Output_option& option : output_options())
-    refuse_if(option.extensions.empty() && o.*option.path == "-", "--", option.name,
-              " is '-', must be the name of a file (that of standard output is /dev/stdout)");
 }
 
 inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
@@ -353,7 +337,12 @@ inline void check(const Options& o, const Built_with& built)
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);
-  check_dashes(o);
+  // A file of that name would surprise those who know - as standard input or output.
+  refuse_if(is_in("-", o.inputs), "INPUT is '-', must be the name of a file");
+  refuse_if(o.output_directory == "-", "--output-directory is '-', must be the name of a folder");
+  for(const Output_option& option : output_options())
+    refuse_if(option.extensions.empty() && o.*option.path == "-", "--", option.name,
+              " is '-', must be the name of a file (that of standard output is /dev/stdout)");
   check_formats(o, built);
   check_directory(o);
   check_files(o);

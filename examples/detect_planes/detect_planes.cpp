@@ -121,7 +121,7 @@ private:
   {
     std::vector<long long> votes(shapes.number_of_shapes(), 0);
     for(const View& view : views)
-      for(Point_set::Index i : Point_part(points, view.first, view.last))
+      for(Point_set::Index i : part_of(points, view.first, view.last))
         if(const int s = shapes.shape_index(i); s >= 0) {
           const auto& c = shapes.coefficients(std::size_t(s));
           const double height = Kernel::Vector_3(c[0], c[1], c[2]) * (view.from - points.point(i));
@@ -142,7 +142,7 @@ private:
         points.normal(i) = shapes.estimated_normal(i);
     }
     for(const View& view : views)
-      for(Point_set::Index i : Point_part(points, view.first, view.last))
+      for(Point_set::Index i : part_of(points, view.first, view.last))
         if(Kernel::Vector_3& n = points.normal(i); n * (view.from - points.point(i)) < 0)
           n = Kernel::Vector_3(0. - n.x(), 0. - n.y(), 0. - n.z());
   }
@@ -190,7 +190,7 @@ public:
       const Input_part& part = cloud.parts[i];
       files.emplace_back(output_of(part));
       files.back().write([&](std::ostream& out) {
-        write_points(out, output_of(part), {cloud.points, part.first, part.last}, shapes, part.notes.las_frame);
+        write_points(out, output_of(part), part_of(cloud.points, part.first, part.last), shapes, part.notes.las_frame);
       });
     }
   }
@@ -223,11 +223,18 @@ private:
     open(o.output, [this](std::ostream& out, const Described_shapes& d, const Run&) {
       const auto has_frame = [](const Input_part& part) { return part.notes.las_frame.has_value(); };
       const auto part = std::find_if(cloud.parts.begin(), cloud.parts.end(), has_frame);
-      write_points(out, options.output, {cloud.points, 0, cloud.points.size()}, d.shapes,
+      write_points(out, options.output, part_of(cloud.points, 0, cloud.points.size()), d.shapes,
                    part != cloud.parts.end() ? part->notes.las_frame : std::nullopt);
     });
-    open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) { write_labels(out, d.shapes); });
-    open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_planes(out, d.shapes); });
+    open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) {
+      for(std::int32_t shape : d.shapes.shape_indices())
+        write_binary(out, shape);
+    });
+    open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) {
+      out << std::setprecision(17);
+      for(const auto& c : d.shapes.data().coefficients)
+        out << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3] << '\n';
+    });
     open(o.shapes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_shape_table(out, d.table()); });
     open(o.vg, [this](std::ostream& out, const Described_shapes& d, const Run&) {
       write_vg(out, d.points, options.has_group_for_each_plane ? joined_shapes(d.points, d.shapes) : d.shapes);

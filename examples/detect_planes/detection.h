@@ -77,7 +77,7 @@ inline void prepare_tolerances(const Options& o, Input_cloud& cloud)
                   (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none"
                                         : ": has no place of the sensor"),
                   ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
-    for(Point_set::Index i : Point_part(cloud.points, part.first, part.last)) {
+    for(Point_set::Index i : part_of(cloud.points, part.first, part.last)) {
       const Kernel::Vector_3 v = cloud.points.point(i) - *sensor;
       const double range = std::sqrt(std::fma(v.x(), v.x(), std::fma(v.y(), v.y(), v.z() * v.z()))); // on all compilers
       tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range));
@@ -269,18 +269,6 @@ inline void check_program(const Options& o, const Ranks& ranks)
 
 using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
 
-inline Plane_columns columns_of_planes(const Text_row& row, const Cells& names)
-{
-  Plane_columns columns;
-  for(std::size_t c = 0; c < 4; ++c) {
-    columns[c] =
-      std::size_t(std::find(names.begin(), names.end(), std::string_view("abcd").substr(c, 1)) - names.begin());
-    if(columns[c] == names.size())
-      fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
-  }
-  return columns;
-}
-
 inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cells, const Plane_columns& columns)
 {
   CGAL::Tandem::Coefficients plane;
@@ -315,7 +303,12 @@ try {
     if(is_comment(row.text))
       continue;
     if(values == 0 && !std::all_of(cells.begin(), cells.end(), parse_number)) {
-      columns = columns_of_planes(row, cells);
+      for(std::size_t c = 0; c < 4; ++c) {
+        const std::string_view name = std::string_view("abcd").substr(c, 1);
+        columns[c] = std::size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
+        if(columns[c] == cells.size())
+          fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
+      }
       values = cells.size();
       continue;
     }

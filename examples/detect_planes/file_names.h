@@ -56,13 +56,6 @@ inline bool is_geojson(const std::string& path) { return is_in(lower_case_extens
 
 inline bool is_gzip(const std::string& path) { return lower_case_extension(path) == ".gz"; }
 
-// The extension that tells the format: .ply of cloud.ply.gz.
-inline std::string input_extension(const std::string& path)
-{
-  const std::filesystem::path name(path);
-  return lower_case_extension(is_gzip(path) ? name.stem() : name);
-}
-
 constexpr std::array<const char*, 8> table_extensions = {".xyz", ".txt",  ".csv",    ".pts",
                                                          ".pwn", ".xyzn", ".xyzrgb", ".asc"};
 constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz", ".pcd", ".xyz", ".txt", ".csv"};
@@ -85,10 +78,10 @@ inline bool is_input_extension(const std::string& extension)
   return is_table(extension) || is_las(extension) || is_in(extension, {".ply", ".pcd", ".off", ".ptx"});
 }
 
-// The extension that a file is read by: that of --format, or its own.
-inline std::string input_format(const std::string& path, const std::string& format)
+// The extension that a file is read by: that of --format, or its own, .ply of cloud.ply.gz.
+inline std::string input_format(const std::filesystem::path& path, const std::string& format)
 {
-  return format.empty() ? input_extension(path) : format;
+  return !format.empty() ? format : lower_case_extension(is_gzip(path.string()) ? path.stem() : path);
 }
 
 // Devices and pipes without an extension get PLY.

@@ -103,7 +103,7 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
       parsed_option("SUM",
                     [&o](const std::string& text) {
                       o.noise_text = text;
-                      o.noise = parse_noise(text);
+                      o.noise = Noise_parser(text).parse();
                     }),
       "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in "
       "\"0.001 + 0.0028*r^2\": the tolerance of each point is ",

@@ -246,15 +246,6 @@ double smallest_noise(const Measure& measure, const Ranks& ranks)
   return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
-// Infinite where planes explain the points, which need not be measured then.
-inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
-{
-  const CGAL::Tandem::Statistics& s = shapes.statistics();
-  const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
-                       s.mean_distance < full_share * shapes.parameters().maximum_distance;
-  return smallest_noise([&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); }, ranks);
-}
-
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
 {
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
@@ -295,9 +286,12 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
                                 box.side(0), ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees));
   if(tolerance.mean > 0)
     warnings.push_back(warning_of_steps(points, tolerance.mean, ranks));
-  // Estimates cover the noise.
+  // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
+  const bool is_thin =
+    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_share * p.maximum_distance;
+  const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
   const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
-  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0;
+  const double noise = is_distance_given ? smallest_noise(measure, ranks) : 0;
   if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
   else if(share_in_shapes(s, box) < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many

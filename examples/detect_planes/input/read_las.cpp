@@ -38,27 +38,19 @@ bool describes_bytes(const std::string& record)
          number_at<std::uint16_t>(record.data() + 18) == 4;
 }
 
-// The types are integers of 1, 2, 4 and 8 bytes, each without and with a sign, float and double; in older files two and
-// three numbers of these, too. Bytes of no type are as many as the options say.
-std::size_t size_of_dimension(std::size_t type, std::size_t options)
-{
-  constexpr std::size_t sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  if(type == 0 || type > 30)
-    return type == 0 ? options : 0;
-  return ((type - 1) / 10 + 1) * sizes[(type - 1) % 10];
-}
-
-// The extra bytes of points, as far as the record describes them.
+// The extra bytes of points, as far as the record describes them. The types are integers of 1, 2, 4 and 8 bytes, each
+// without and with a sign, float and double; in older files two and three numbers of these, too. Bytes of no type are as
+// many as the options say.
 std::vector<Las_dimension> dimensions_of(const std::string& record, const Las_header& h)
 {
-  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16;
+  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16, sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   std::vector<Las_dimension> dimensions;
   std::size_t position = las_point_size(h.point_format);
   for(std::size_t first = record_header; first + description <= record.size(); first += description) {
     const char* const d = record.data() + first;
     const std::size_t type = std::uint8_t(d[2]), options = std::uint8_t(d[3]);
-    const std::size_t size = size_of_dimension(type, options);
-    if(size == 0 || position + size > h.record_length)
+    const std::size_t size = type == 0 ? options : (type - 1) / 10 * sizes[(type - 1) % 10] + sizes[(type - 1) % 10];
+    if(type > 30 || size == 0 || position + size > h.record_length)
       break;
     if(type >= 1 && type <= 10)
       dimensions.push_back({std::string(d + 4, std::find(d + 4, d + 36, '\0')), "UIUIUIUIFF"[type - 1], size, position,

@@ -245,18 +245,13 @@ bool are_names(const Cells& values)
   return values.size() >= 3 && std::all_of(values.begin(), values.end(), is_word);
 }
 
-void check_raster(const Cells& values)
-{
-  if(!values.empty() && plain_name(values[0]) == "ncols")
-    throw std::runtime_error("is a raster of ESRI (its first word is ncols), and no table of points; make one of it "
-                             "with gdal_translate -of XYZ, for example");
-}
-
 // A line before the first point.
 void read_head_line(const Text_row& row, Table_head& head)
 {
   const Cells cells = values_of(row.text);
-  check_raster(cells);
+  if(!cells.empty() && plain_name(cells[0]) == "ncols")
+    throw std::runtime_error("is a raster of ESRI (its first word is ncols), and no table of points; make one of it "
+                             "with gdal_translate -of XYZ, for example");
   const bool has_note = is_comment(row.text);
   if(!has_note && is_point(cells, head.columns)) {
     head.rows.push_back(row);
@@ -279,15 +274,6 @@ void read_head_line(const Text_row& row, Table_head& head)
   } else if(std::exchange(head.has_skipped_names, true) || !has_option) {
     fail_at_row(row.number, "is a line of names that do not tell x, y and z (name the columns by --columns)");
   }
-}
-
-// Finds integers in pairs, as 1,5, 2,5. As many values as names are told what they are.
-void check_pairs(const Table_head& head)
-{
-  const auto has_pairs = [](const Text_row& row) { return has_pairs_of_integers(row.text, true); };
-  if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
-     std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
-    fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
 }
 
 void find_columns(const Sample& sample, const std::string& extension, const std::string& tolerance, Table_head& head)
@@ -333,7 +319,11 @@ Table_head read_head(Text_lines& lines, const std::string& extension, const Inpu
       head.rows.push_back(lines.row());
       bytes += lines.row().text.size();
     }
-  check_pairs(head);
+  // As many values as names are told what they are.
+  const auto has_pairs = [](const Text_row& row) { return has_pairs_of_integers(row.text, true); };
+  if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
+     std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
+    fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
   const Sample sample = sample_of(head.rows);
   find_columns(sample, extension, settings.tolerance, head);
   head.channel_unit = channel_unit_of(head.columns, sample);

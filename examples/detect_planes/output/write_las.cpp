@@ -96,14 +96,6 @@ bool is_fine(const Las_frame& frame, const Output_points& cloud)
   });
 }
 
-// Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
-bool needs_format_7(const Output_points& cloud, const Las_frame& frame)
-{
-  return frame.projection == Projection::wkt ||
-         (cloud.classification && std::any_of(cloud.part.begin(), cloud.part.end(),
-                                              [&](Point_set::Index i) { return (*cloud.classification)[i] > 31; }));
-}
-
 std::string padded(std::string text, std::size_t size)
 {
   text.resize(size, '\0');
@@ -184,7 +176,10 @@ void write_las(std::ostream& out, const Output_points& cloud, const std::optiona
     frame.projection = frame_of_input->projection;
   }
   frame.records.push_back(extra_bytes_record(cloud.label_property));
-  const bool is_format_7 = needs_format_7(cloud, frame);
+  // Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
+  const auto is_high = [&](Point_set::Index i) { return cloud.classification && (*cloud.classification)[i] > 31; };
+  const bool is_format_7 =
+    frame.projection == Projection::wkt || std::any_of(cloud.part.begin(), cloud.part.end(), is_high);
   write_header(out, frame, bounds, is_format_7);
   for(const std::string& record : frame.records)
     out << record;

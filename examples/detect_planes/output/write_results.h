@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The labels and the planes, and what the writers share. Everything is written exactly, so that the guarantees can be
-// checked from the files.
+// What the writers share. Everything is written exactly, so that the guarantees can be checked from the files.
 
 #ifndef DETECT_PLANES_WRITE_RESULTS_H
 #define DETECT_PLANES_WRITE_RESULTS_H
@@ -64,21 +63,6 @@ inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shape
   if(points.has_normal_map())
     return points.normal(i);
   return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : Kernel::Vector_3(CGAL::NULL_VECTOR);
-}
-
-inline void write_labels(std::ostream& out, const Shapes& shapes)
-{
-  for(std::int32_t shape : shapes.shape_indices())
-    write_binary(out, shape);
-}
-
-inline void write_planes(std::ostream& out, const Shapes& shapes)
-{
-  out << std::setprecision(17);
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const auto& c = shapes.coefficients(s);
-    out << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3] << '\n';
-  }
 }
 
 } // namespace program

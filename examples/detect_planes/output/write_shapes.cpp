@@ -215,20 +215,6 @@ void write_geojson(std::ostream& out, const Described_shapes& described, const O
 
 // --- Vertex groups
 
-// Normals of length 1, to a hundredth of a degree. The null vector, where a point has none.
-void write_vg_normals(std::ostream& out, const Point_set& points, const Shapes& shapes)
-{
-  const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4 + 0.; }; // no -0
-  for(Point_set::Index i : points)
-    if(is_finite(points.point(i))) {
-      const Kernel::Vector_3 n = normal_used(points, shapes, i);
-      const double length = is_usable_normal(n) ? std::sqrt(n.squared_length()) : 0;
-      const Kernel::Vector_3 unit = length > 0 ? n / length : Kernel::Vector_3(CGAL::NULL_VECTOR);
-      for(int k = 0; k < 3; ++k)
-        write_shortest(out, rounded(unit[k]), "  \n"[k]);
-    }
-}
-
 // Colors of points are left out: groups have one.
 void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& shapes, std::uint32_t count)
 {
@@ -245,7 +231,16 @@ void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& s
       else
         write_shortest(out, x, "  \n"[k]);
   out << "num_colors: 0\nnum_normals: " << count << '\n';
-  write_vg_normals(out, points, shapes);
+  // Of length 1, to a hundredth of a degree. The null vector, where a point has none.
+  const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4 + 0.; }; // no -0
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i))) {
+      const Kernel::Vector_3 n = normal_used(points, shapes, i);
+      const double length = is_usable_normal(n) ? std::sqrt(n.squared_length()) : 0;
+      const Kernel::Vector_3 unit = length > 0 ? n / length : Kernel::Vector_3(CGAL::NULL_VECTOR);
+      for(int k = 0; k < 3; ++k)
+        write_shortest(out, rounded(unit[k]), "  \n"[k]);
+    }
 }
 
 void write_vg_group(std::ostream& out, const Shapes& shapes, std::size_t s, const std::vector<std::uint32_t>& position)

@@ -110,21 +110,17 @@ public:
   {
     if(colors)
       return (*colors)[i];
-    Input_color wide;
     const Color narrow = color_of_shape(shape(i));
-    std::transform(narrow.begin(), narrow.end(), wide.begin(), [](std::uint8_t c) { return std::uint16_t(257 * c); });
-    return wide;
+    return {std::uint16_t(257 * narrow[0]), std::uint16_t(257 * narrow[1]), std::uint16_t(257 * narrow[2])};
   }
 
   Color color(Point_set::Index i) const
   {
     if(!colors)
       return color_of_shape(shape(i));
-    Color narrow;
     const Input_color& wide = (*colors)[i];
-    std::transform(wide.begin(), wide.end(), narrow.begin(),
-                   [this](std::uint16_t c) { return std::uint8_t(has_narrow_colors ? c : c >> 8); });
-    return narrow;
+    const int shift = has_narrow_colors ? 0 : 8;
+    return {std::uint8_t(wide[0] >> shift), std::uint8_t(wide[1] >> shift), std::uint8_t(wide[2] >> shift)};
   }
 
   const Point_set& points;

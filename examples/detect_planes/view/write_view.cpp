@@ -17,7 +17,7 @@ extern const char* const page_after_data[];
 
 namespace {
 
-// --- Outlines and triangles of the shapes, and colors of the input
+// --- Outlines and triangles of the shapes
 
 using Polygon = CGAL::Tandem::Indexed_polygon;
 
@@ -62,17 +62,6 @@ void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Poin
   });
 }
 
-// Three bytes for each of the positions, if the input has colors; else the element is empty.
-void write_input_colors(std::ostream& out, const Point_set& points, const std::vector<std::uint32_t>& positions)
-{
-  const auto colors = find_property<Input_color>(points, color_name);
-  write_numbers(out, "input-colors", [&](Base64_lines& lines) {
-    for(std::size_t i = 0; colors && i < positions.size(); ++i)
-      for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
-        lines.write(std::uint8_t(channel >> 8));
-  });
-}
-
 // --- The scene and its points
 
 constexpr std::size_t largest_number_of_points = 3000000; // that a browser draws well
@@ -102,30 +91,24 @@ Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
 }
 
 // Lists: the columns of the table, and what the page takes from them in another form.
-Json json_of_shapes(const Shapes& shapes, const Json& table, const Kernel::Point_3& center)
+Json json_of_shapes(const Shapes& shapes, const Json& table, const Run& run, const Kernel::Point_3& center)
 {
+  const bool has_sides = run.normals == "given" || run.normals.find("viewpoint") != std::string::npos;
   Json json = table;
   std::vector<double> plane, centroid;
+  std::vector<int> outward; // 1 if that side is the one of the normal, -1 if it is the other one, 0 if it is not known
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const auto& c = shapes.coefficients(s);
     plane.insert(plane.end(), c.begin(), c.end());
     int axis = 0;
     for(const char* name : {"x", "y", "z"})
       centroid.push_back(table[name][s].get<double>() - center[axis++]);
+    outward.push_back(!has_sides ? 0 : shapes.is_flipped(s) ? -1 : 1);
   }
   json["coefficients"] = plane;
   json["centroid"] = centroid;
+  json["outward"] = outward;
   return json;
-}
-
-// For each shape 1 if its outward side is that of its normal, -1 if it is the other one, 0 if it is not known.
-std::vector<int> outward_sides(const Shapes& shapes, const Run& run)
-{
-  const bool are_known = run.normals == "given" || run.normals.find("viewpoint") != std::string::npos;
-  std::vector<int> sides;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    sides.push_back(!are_known ? 0 : shapes.is_flipped(s) ? -1 : 1);
-  return sides;
 }
 
 // But for the shapes.
@@ -186,17 +169,22 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   Json scene = json_of_scene(shapes, run, thinned, box);
   const Kernel::Point_3 center = center_of(box);
   const Json& table = described.table();
-  scene["shapes"] = json_of_shapes(shapes, table, center);
+  scene["shapes"] = json_of_shapes(shapes, table, run, center);
   for(const auto& column : table.items())
     scene["table"].push_back(column.key());
-  scene["shapes"]["outward"] = outward_sides(shapes, run);
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
   const Positions positions = write_points(out, points, shapes, thinned, box);
   out << "</script>\n";
   write_areas(out, described.areas(), center);
-  write_input_colors(out, points, positions);
+  // Three bytes for each of the positions, if the input has colors; else the element is empty.
+  const auto colors = find_property<Input_color>(points, color_name);
+  write_numbers(out, "input-colors", [&](Base64_lines& lines) {
+    for(std::size_t i = 0; colors && i < positions.size(); ++i)
+      for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
+        lines.write(std::uint8_t(channel >> 8));
+  });
   write_pieces(out, page_after_data);
 }
 
