@@ -159,8 +159,6 @@ private:
   std::string_view text, rest;
 };
 
-inline Noise_model parse_noise(const std::string& text) { return Noise_parser(text).parse(); }
-
 // ---
 
 constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors

@@ -10,7 +10,7 @@
 #include "Options.h"
 #include "file_names.h"
 #include "input/Input_buffer.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 
 #include <CGAL/Tandem/check_parameters.h>
 
@@ -20,9 +20,15 @@
 
 #include <map>
 #include <set>
-#include <tuple>
 
 namespace program {
+
+template <class... Words>
+void refuse_if(bool is_wrong, const Words&... words)
+{
+  if(is_wrong)
+    throw_error<Usage_error>(words...);
+}
 
 // --- Values of options that are lists: directions, a place, and how clouds are read.
 
@@ -66,9 +72,9 @@ inline std::array<double, 3> parse_three(const char* option, const std::string& 
   const std::vector<double> numbers = read_numbers(text);
   std::array<double, 3> d = {};
   const bool is_direction = kind == Three::direction;
-  if(numbers.size() != 3 || !begin_with_three(numbers, d) || (is_direction && d == std::array<double, 3>()))
-    throw_error<Usage_error>("--", option, " is '", text, "', must be three numbers with commas between them, ",
-                             is_direction ? "not all 0, as in 0,0,1" : "as in 2.5,-1,1.6");
+  refuse_if(numbers.size() != 3 || !begin_with_three(numbers, d) || (is_direction && d == std::array<double, 3>()),
+            "--", option, " is '", text, "', must be three numbers with commas between them, ",
+            is_direction ? "not all 0, as in 0,0,1" : "as in 2.5,-1,1.6");
   return d;
 }
 
@@ -88,10 +94,8 @@ inline Direction_choice parse_near_direction(const std::string& text)
     choice.degrees = numbers[3];
     is_right = numbers.size() == 4 && numbers[3] >= 0 && numbers[3] <= 90;
   }
-  if(!is_right)
-    throw_error<Usage_error>(
-      "--near-direction is '", text,
-      "', must be X,Y,Z, not all 0, vertical or horizontal, or one of these with ,DEG from 0 to 90");
+  refuse_if(!is_right, "--near-direction is '", text,
+            "', must be X,Y,Z, not all 0, vertical or horizontal, or one of these with ,DEG from 0 to 90");
   return choice;
 }
 
@@ -103,9 +107,8 @@ inline std::vector<int> parse_classes(const std::string& text)
   for(const std::string& part : parts_of(text))
     for(const std::string& word : boost::split(words, part, boost::is_space(), boost::token_compress_on)) {
       const bool is_number = !word.empty() && word.size() <= 3 && std::all_of(word.begin(), word.end(), is_digit);
-      if(!is_number || std::stoi(word) > 255)
-        throw_error<Usage_error>("--classes is '", text,
-                                 "', must be numbers from 0 to 255 with commas between them, as in 2,6");
+      refuse_if(!is_number || std::stoi(word) > 255, "--classes is '", text,
+                "', must be numbers from 0 to 255 with commas between them, as in 2,6");
       classes.push_back(std::stoi(word));
     }
   return classes;
@@ -115,20 +118,9 @@ inline std::vector<int> parse_classes(const std::string& text)
 inline Box parse_box(const std::string& text)
 {
   const std::vector<double> sides = read_numbers(text);
-  if(sides.size() != 6 || sides[0] > sides[3] || sides[1] > sides[4] || sides[2] > sides[5])
-    throw_error<Usage_error>("--crop is '", text,
-                             "', must be XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX: six numbers, no minimum above its maximum");
+  refuse_if(sides.size() != 6 || sides[0] > sides[3] || sides[1] > sides[4] || sides[2] > sides[5], "--crop is '", text,
+            "', must be XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX: six numbers, no minimum above its maximum");
   return Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]);
-}
-
-// The value of --format, as an extension.
-inline std::string parse_format(const std::string& text)
-{
-  std::string extension = "." + text;
-  if(!is_input_extension(extension))
-    throw_error<Usage_error>("--format is '", text, "', must be ply, las, laz, pcd, off, ptx or that of a text table (",
-                             table_names(), ") without the point");
-  return extension;
 }
 
 // Throws std::invalid_argument where the options are wrong, or cannot be meant.
@@ -140,17 +132,20 @@ inline Input_settings input_settings(const Options& o)
   if(!o.columns.empty())
     settings.columns = parse_columns(o.columns, o.tolerance_column);
   if(!o.format.empty())
-    settings.format = parse_format(o.format);
+    settings.format = "." + o.format;
+  refuse_if(!o.format.empty() && !is_input_extension(settings.format), "--format is '", o.format,
+            "', must be ply, las, laz, pcd, off, ptx or that of a text table (", table_names(), ") without the point");
   const auto has_input_of = [&](auto is_right) {
     return std::any_of(o.inputs.begin(), o.inputs.end(),
                        [&](const std::string& path) { return is_right(input_format(path, settings.format)); });
   };
-  if(!o.columns.empty() && !has_input_of(is_table))
-    throw_error<Usage_error>("--columns is for text tables (", table_names(), ")");
-  if(o.has_decimal_commas && !has_input_of([](const std::string& f) { return is_table(f) || f == ".ptx"; }))
-    throw_error<Usage_error>("--decimal-comma is for text tables (", table_names(), ") and .ptx");
-  if(o.sample && !has_input_of([](const std::string& f) { return f == ".ply" || f == ".off"; }))
-    throw Usage_error("--sample is for meshes (.ply, .off)");
+  refuse_if(!o.columns.empty() && !has_input_of(is_table), "--columns is for text tables (", table_names(), ")");
+  refuse_if(o.has_decimal_commas && !has_input_of([](const std::string& f) { return is_table(f) || f == ".ptx"; }),
+            "--decimal-comma is for text tables (", table_names(), ") and .ptx");
+  refuse_if(o.sample && !has_input_of([](const std::string& f) {
+              return is_in(f, {".ply", ".off"});
+            }),
+            "--sample is for meshes (.ply, .off)");
   if(o.sample)
     settings.sample = std::size_t(*o.sample);
   if(!o.classes.empty())
@@ -224,44 +219,27 @@ inline void check_directory(const Options& o)
   for(const std::string& input : o.inputs) {
     const std::string output = output_of_input(o.output_directory, input);
     for(const std::filesystem::path& path : {std::filesystem::absolute(input), unique_name(input)})
-      if(is_same_folder(o.output_directory, path.parent_path()))
-        throw_error<Usage_error>("--output-directory is the folder of ", input, "; take another folder");
+      refuse_if(is_same_folder(o.output_directory, path.parent_path()), "--output-directory is the folder of ", input,
+                "; take another folder");
     const auto [place, is_new] = input_of.emplace(output, input);
-    if(!is_new && unique_name(place->second) != unique_name(input))
-      throw_error<Usage_error>("--output-directory: ", place->second, " and ", input, " would both become ", output);
+    refuse_if(!is_new && unique_name(place->second) != unique_name(input), "--output-directory: ", place->second,
+              " and ", input, " would both become ", output);
   }
-}
-
-// A file of that name would surprise those who know - as standard input or output.
-inline void check_dashes(const Options& o)
-{
-  if(std::count(o.inputs.begin(), o.inputs.end(), "-") > 0)
-    throw Usage_error("INPUT is '-', must be the name of a file");
-  if(o.output_directory == "-")
-    throw Usage_error("--output-directory is '-', must be the name of a folder");
-  for(const Output_option& option : output_options())
-    if(option.extensions.empty() && o.*option.path == "-")
-      throw_error<Usage_error>("--", option.name,
-                               " is '-', must be the name of a file (that of standard output is /dev/stdout)");
 }
 
 inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
 {
-  if(value && (*value < smallest || *value > largest))
-    throw_error<Usage_error>("--", name, " is ", *value, ", must be in [", smallest, ", ", largest, "]");
+  const long long count = value.value_or(smallest);
+  refuse_if(count < smallest || count > largest, "--", name, " is ", count, ", must be in [", smallest, ", ", largest,
+            "]");
 }
 
 // Written so that NaN is refused.
 inline void check_positive(const char* name, const std::optional<double>& value)
 {
-  if(value && !(*value > 0 && *value <= CGAL::Tandem::largest_length))
-    throw_error<Usage_error>("--", name, " is ", CGAL::Tandem::to_text(*value), ", must be positive, and at most ",
-                             CGAL::Tandem::to_text(CGAL::Tandem::largest_length));
-}
-
-inline bool is_one_of(const std::string& word, const std::vector<std::string>& words)
-{
-  return std::find(words.begin(), words.end(), word) != words.end();
+  const double number = value.value_or(1);
+  refuse_if(!(number > 0 && number <= CGAL::Tandem::largest_length), "--", name, " is ", CGAL::Tandem::to_text(number),
+            ", must be positive, and at most ", CGAL::Tandem::to_text(CGAL::Tandem::largest_length));
 }
 
 // As in: auto, sequential or parallel.
@@ -273,18 +251,10 @@ inline std::string one_of(const std::vector<std::string>& words)
   return text;
 }
 
-// What is known, but not built, is refused later, with the reason.
-inline void check_word(const char* name, const std::string& word, const std::vector<std::string>& known,
-                       const std::vector<std::string>& built)
-{
-  if(!word.empty() && !built.empty() && !is_one_of(word, known))
-    throw_error<Usage_error>("--", name, " is '", word, "', must be ", one_of(built));
-}
-
 inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
 {
-  if(!path.empty() && !is_one_of(lower_case_extension(path), extensions))
-    throw_error<Usage_error>("--", name, " is '", path, "', must end in ", one_of(extensions));
+  refuse_if(!path.empty() && !is_in(lower_case_extension(path), extensions), "--", name, " is '", path,
+            "', must end in ", one_of(extensions));
 }
 
 // A name that every format can have, and that no reader takes for something else.
@@ -292,34 +262,31 @@ inline void check_label_property(const std::string& name)
 {
   constexpr std::size_t largest_size = 32; // of LAS
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto is_right = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  if(!is_letter(name[0]) || !std::all_of(name.begin(), name.end(), is_right) || name.size() > largest_size)
-    throw_error<Usage_error>("--label-property is '", name,
-                             "', must be letters, digits and _, a letter first, at most ", largest_size);
-  const std::vector<std::string> others = {"tolerance",         "rgb",       "rgba",        "alpha",
-                                           "returnnumber",      "gpstime",   "userdata",    "numberofreturns",
-                                           "pointsourceid",     "keypoint",  "scanangle",   "scananglerank",
-                                           "scandirectionflag", "synthetic", "withheld",    "edgeofflightline",
-                                           "scannerchannel",    "overlap",   "pointformat", "nearinfrared"};
-  if(column_of_name(name) != Column::none || is_one_of(plain_name(name), others))
-    throw_error<Usage_error>("--label-property is '", name, "', which is the name of something else in clouds");
+  const auto is_right = [&](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  refuse_if(!is_letter(name[0]) || !std::all_of(name.begin(), name.end(), is_right) || name.size() > largest_size,
+            "--label-property is '", name, "', must be letters, digits and _, a letter first, at most ", largest_size);
+  const auto others = {"tolerance",         "rgb",       "rgba",        "alpha",
+                       "returnnumber",      "gpstime",   "userdata",    "numberofreturns",
+                       "pointsourceid",     "keypoint",  "scanangle",   "scananglerank",
+                       "scandirectionflag", "synthetic", "withheld",    "edgeofflightline",
+                       "scannerchannel",    "overlap",   "pointformat", "nearinfrared"};
+  refuse_if(column_of_name(name) != Column::none || is_in(plain_name(name), others), "--label-property is '", name,
+            "', which is the name of something else in clouds");
 }
 
 // A point has one tolerance.
 inline void check_tolerances(const Options& o)
 {
   const bool has_column = !o.tolerance_column.empty();
-  if(has_column && o.noise)
-    throw Usage_error("--tolerance-column and --noise both give the tolerance of each point; take one of them");
-  if(o.has_local_distances && (has_column || o.noise))
-    throw_error<Usage_error>("--maximum-distance auto-local and ", (has_column ? "--tolerance-column" : "--noise"),
-                             " both give the tolerance of each point; take one of them");
+  const char* both = " both give the tolerance of each point; take one of them";
+  refuse_if(has_column && o.noise, "--tolerance-column and --noise", both);
+  refuse_if(o.has_local_distances && (has_column || o.noise), "--maximum-distance auto-local and ",
+            has_column ? "--tolerance-column" : "--noise", both);
   const auto may_have_viewpoint = [&o](const std::string& path) {
-    const std::string format = input_format(path, o.format.empty() ? "" : "." + o.format);
-    return format == ".pcd" || format == ".ptx";
+    return is_in(input_format(path, o.format.empty() ? "" : "." + o.format), {".pcd", ".ptx"});
   };
-  if(o.noise && !o.viewpoint && std::none_of(o.inputs.begin(), o.inputs.end(), may_have_viewpoint))
-    throw Usage_error("--noise needs the place of the sensor: --viewpoint X,Y,Z (0,0,0 if it is the origin)");
+  refuse_if(o.noise && !o.viewpoint && std::none_of(o.inputs.begin(), o.inputs.end(), may_have_viewpoint),
+            "--noise needs the place of the sensor: --viewpoint X,Y,Z (0,0,0 if it is the origin)");
 }
 
 inline void check_formats(const Options& o, const Built_with& built)
@@ -333,12 +300,11 @@ inline void check_formats(const Options& o, const Built_with& built)
       outputs.erase(std::find(outputs.begin(), outputs.end(), ".laz"));
     check_format("output", o.output, outputs);
   }
-  if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
-    throw_error<Usage_error>("--colors is '", o.colors, "', must be shape or input");
-  if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
-    throw Usage_error("--colors needs --output or --output-directory");
-  if(o.label_property != Options().label_property && o.output.empty() && o.output_directory.empty())
-    throw Usage_error("--label-property needs --output or --output-directory");
+  const bool has_no_cloud = o.output.empty() && o.output_directory.empty();
+  refuse_if(!is_in(o.colors, {"", "shape", "input"}), "--colors is '", o.colors, "', must be shape or input");
+  refuse_if(!o.colors.empty() && has_no_cloud, "--colors needs --output or --output-directory");
+  refuse_if(o.label_property != Options().label_property && has_no_cloud,
+            "--label-property needs --output or --output-directory");
   check_label_property(o.label_property);
   input_settings(o);
 }
@@ -346,35 +312,37 @@ inline void check_formats(const Options& o, const Built_with& built)
 // Ranges that the library does not know; parameters_of() checks the others.
 inline void check(const Options& o, const Built_with& built)
 {
-  if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
-    throw Usage_error("no INPUT given");
-  check_word("backend", o.backend, Built_with().backends(), built.backends());
+  const bool has_library_normals = o.estimate_normals == by_library, detects = o.planes_from.empty();
+  refuse_if(o.inputs.empty() || is_in("", o.inputs), "no INPUT given");
+  // What is known, but not built, is refused later, with the reason.
+  refuse_if(!is_in(o.backend, Built_with().backends()), "--backend is '", o.backend, "', must be ",
+            one_of(built.backends()));
   check_count("threads", o.threads, 1, 4096);
   check_count("sample", o.sample, 0, 1000000000);
-  if(o.estimate_normals && *o.estimate_normals != by_library)
+  if(!has_library_normals)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
-  const bool has_no_polygons = o.polygons.empty();
-  const std::pair<bool, const char*> alone[] = {
-    {o.has_group_for_each_plane && o.vg.empty(), "--vg-by-plane needs --vg"},
-    {o.has_triangles_only && has_no_polygons, "--triangulate needs --polygons"},
-    {!o.crs.empty() && !is_geojson(o.polygons), "--crs needs --polygons with a name that ends in .geojson or .json"},
-    {o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && has_no_polygons,
-     "--oriented needs --planes, --shapes, --view or --polygons"},
-    {o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh"}};
-  for(const auto& [is_alone, message] : alone)
-    if(is_alone)
-      throw Usage_error(message);
+  refuse_if(o.has_group_for_each_plane && o.vg.empty(), "--vg-by-plane needs --vg");
+  refuse_if(o.has_triangles_only && o.polygons.empty(), "--triangulate needs --polygons");
+  refuse_if(!o.crs.empty() && !is_geojson(o.polygons),
+            "--crs needs --polygons with a name that ends in .geojson or .json");
+  refuse_if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty(),
+            "--oriented needs --planes, --shapes, --view or --polygons");
+  refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
   check_count("largest", o.largest, 1, CGAL::Tandem::maximum_number_of_points);
-  if(!o.planes_from.empty() && o.estimate_normals && *o.estimate_normals == by_library)
-    throw Usage_error(
-      "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
-  if(!o.planes_from.empty() && o.backend == "cuda")
-    throw Usage_error("--backend is 'cuda', but --planes-from detects nothing: leave one of them out");
+  refuse_if(!detects && has_library_normals,
+            "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
+  refuse_if(!detects && o.backend == "cuda",
+            "--backend is 'cuda', but --planes-from detects nothing: leave one of them out");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);
-  check_dashes(o);
+  // A file of that name would surprise those who know - as standard input or output.
+  refuse_if(is_in("-", o.inputs), "INPUT is '-', must be the name of a file");
+  refuse_if(o.output_directory == "-", "--output-directory is '-', must be the name of a folder");
+  for(const Output_option& option : output_options())
+    refuse_if(option.extensions.empty() && o.*option.path == "-", "--", option.name,
+              " is '-', must be the name of a file (that of standard output is /dev/stdout)");
   check_formats(o, built);
   check_directory(o);
   check_files(o);
@@ -383,23 +351,19 @@ inline void check(const Options& o, const Built_with& built)
 // Finds options that need all points in one process, where there are several.
 inline void check_ranks(const Options& o)
 {
-  const bool has_pca = o.estimate_normals && *o.estimate_normals != by_library;
-  const std::string alone = ": run it without mpirun";
-  std::vector<std::tuple<bool, const char*, std::string>> needs = {
-    {!o.output.empty(), "output", ": several write them with --output-directory"},
-    {o.is_by_plane, "by-plane", alone},
-    {has_pca, "estimate-normals with a number", ""},
-    {!o.planes_from.empty(), "planes-from", alone},
-    {bool(o.minimum_area), "minimum-area", alone},
-    {bool(o.minimum_extent), "minimum-extent", alone}};
+  const auto needs_all = [](bool is_given, const char* name, const char* advice = ": run it without mpirun") {
+    refuse_if(is_given, "--", name, " needs all points in one process", advice);
+  };
+  needs_all(!o.output.empty(), "output", ": several write them with --output-directory");
+  needs_all(o.is_by_plane, "by-plane");
+  needs_all(o.estimate_normals.value_or(by_library) != by_library, "estimate-normals with a number", "");
+  needs_all(!o.planes_from.empty(), "planes-from");
+  needs_all(o.minimum_area.has_value(), "minimum-area");
+  needs_all(o.minimum_extent.has_value(), "minimum-extent");
   for(const Output_option& option : output_options())
-    needs.emplace_back(option.needs_all_points && !(o.*option.path).empty(), option.name, alone);
-  for(const auto& [is_given, name, advice] : needs)
-    if(is_given)
-      throw_error<Usage_error>("--", name, " needs all points in one process", advice);
-  if(o.backend == "cuda" && !has_mpi_cuda)
-    throw Usage_error(
-      "--backend is 'cuda', which is for one process: this program was built without Tandem::tandem_mpi_cuda");
+    needs_all(option.needs_all_points && !(o.*option.path).empty(), option.name);
+  refuse_if(o.backend == "cuda" && !has_mpi_cuda,
+            "--backend is 'cuda', which is for one process: this program was built without Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

@@ -8,7 +8,6 @@
 #include "output/Output_file.h"
 #include "program_options.h"
 #include "ranks/read_inputs.h"
-#include "shapes_of_outputs.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
@@ -17,6 +16,148 @@
 
 namespace program {
 
+// --- The selection: all shapes, or one for each plane, and of those the ones that fit its options.
+
+// The options that say which shapes the outputs have.
+inline std::string selection_of(const Options& o)
+{
+  std::ostringstream text;
+  const auto add = [&text](const char* option, const auto& value) {
+    if(value)
+      write_shortest(text << option << ' ', *value, ' ');
+  };
+  text << (o.is_by_plane ? "--by-plane " : "");
+  add("--largest", o.largest);
+  add("--minimum-area", o.minimum_area);
+  add("--minimum-extent", o.minimum_extent);
+  if(o.near_direction)
+    text << "--near-direction " << o.near_direction->text << ' ';
+  return text.str().substr(0, (std::max)(text.str().size(), std::size_t(1)) - 1);
+}
+
+// Notes in the run how many there were; a warning where none is left.
+inline void select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
+                   std::vector<std::string>& warnings)
+{
+  run.selection = selection_of(o);
+  if(run.selection.empty())
+    return;
+  run.detected_shapes = shapes.number_of_shapes();
+  run.detected_points = shapes.statistics().number_of_assigned_points;
+  if(o.is_by_plane)
+    shapes = joined_shapes(points, shapes);
+  shapes = selected_shapes(shapes, points, o);
+  if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
+    warnings.push_back(
+      sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have none"));
+}
+
+// --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
+// from which their points were seen.
+
+// All ranks call the same members in the same order.
+class Outward_sides {
+public:
+  // After the normals were prepared. That given ones have no viewpoint is said before the detection, which may take long.
+  Outward_sides(const Options& o, Input_cloud& cloud, Ranks& ranks, Run& run)
+    : options(o), points(cloud.points), ranks(ranks), are_given(run.normals == "given")
+  {
+    ranks.together([&] {
+      if(are_given && o.viewpoint && !o.noise)
+        throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (with "
+                                 "--estimate-normals they are estimated)");
+    });
+    for(const Input_part& part : cloud.parts)
+      if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
+        views.push_back({part.first, part.last, *viewpoint});
+    is_seen = ranks.largest(double(views.size())) > 0;
+    if(is_seen && run.normals != "none")
+      run.normals += ", towards the viewpoint";
+  }
+
+  // What there is to say of --oriented, or nothing.
+  const char* warning() const
+  {
+    return options.is_oriented && !are_given && !is_seen ? "--oriented: no normals are given, and no viewpoint is "
+                                                           "known: planes have no outward side (--viewpoint gives one)"
+                                                         : "";
+  }
+
+  // The shapes that the files get; the cloud gets the normals, if some file has them. The detection knows nothing of
+  // sides, so its shapes, their hash and the mesh stay as they are.
+  const Shapes& operator()(const Shapes& shapes)
+  {
+    const bool has_oriented_planes = options.is_oriented && (are_given || is_seen);
+    if(!is_seen && !has_oriented_planes)
+      return shapes;
+    std::vector<long long> votes;
+    ranks.together([&] { votes = votes_of(shapes); });
+    votes = ranks.sums(votes);
+    ranks.together([&] {
+      Shapes::Data data = shapes.data();
+      data.points = shapes.point_groups();
+      for(std::size_t s = 0; s < votes.size() && is_seen; ++s)
+        data.is_flipped[s] = votes[s] < 0;
+      for(std::size_t s = 0; s < data.coefficients.size() && has_oriented_planes; ++s)
+        if(std::exchange(data.is_flipped[s], char(0)) != 0)
+          for(double& x : data.coefficients[s])
+            x = 0. - x; // no -0
+      turned.emplace(std::move(data));
+      if(is_seen)
+        turn_normals(shapes);
+    });
+    return *turned;
+  }
+
+private:
+  struct View {
+    std::size_t first, last; // the points
+    Kernel::Point_3 from;
+  };
+
+  // How many more of the own points of each shape were seen from the side of its normal than from the other one. The
+  // normal of the plane tells that better than those of the points, where they were seen at a small angle.
+  std::vector<long long> votes_of(const Shapes& shapes) const
+  {
+    std::vector<long long> votes(shapes.number_of_shapes(), 0);
+    for(const View& view : views)
+      for(Point_set::Index i : part_of(points, view.first, view.last))
+        if(const int s = shapes.shape_index(i); s >= 0) {
+          const auto& c = shapes.coefficients(std::size_t(s));
+          const double height = Kernel::Vector_3(c[0], c[1], c[2]) * (view.from - points.point(i));
+          votes[std::size_t(s)] += height > 0 ? 1 : height < 0 ? -1 : 0;
+        }
+    return votes;
+  }
+
+  void turn_normals(const Shapes& shapes)
+  {
+    if(options.output.empty() && options.output_directory.empty() && options.vg.empty())
+      return;
+    if(!points.has_normal_map() && !shapes.has_estimated_normals())
+      return;
+    if(!points.has_normal_map()) {
+      points.add_normal_map();
+      for(Point_set::Index i : points)
+        points.normal(i) = shapes.estimated_normal(i);
+    }
+    for(const View& view : views)
+      for(Point_set::Index i : part_of(points, view.first, view.last))
+        if(Kernel::Vector_3& n = points.normal(i); n * (view.from - points.point(i)) < 0)
+          n = Kernel::Vector_3(0. - n.x(), 0. - n.y(), 0. - n.z());
+  }
+
+  const Options& options;
+  Point_set& points;
+  Ranks& ranks;
+  bool are_given;          // the normals
+  std::vector<View> views; // of the own inputs
+  bool is_seen = false;    // some input of any rank has a viewpoint
+  std::optional<Shapes> turned;
+};
+
+// --- The files.
+
 // The files to be written, opened before the work starts, so that a bad name costs no time. What one process writes for
 // all is written by the first one, the file of an input by the one that has read it.
 class Output_files {
@@ -24,8 +165,9 @@ public:
   // Before this, --output-directory has been made.
   Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
-    if(!o.output_directory.empty())
-      try_files_of_inputs();
+    // There may be more files than a process can have open: they are opened, and closed again.
+    for(std::size_t i = 0; i < cloud.parts.size() && !o.output_directory.empty(); ++i)
+      Output_file(output_of(cloud.parts[i]));
     if(is_first) // some of them may be in that folder
       open_files_of_all();
   }
@@ -39,11 +181,18 @@ public:
     const Described_shapes described(cloud.points, shapes);
     if(!options.polygons.empty() && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
-    for(std::size_t i = 0; i < writers.size(); ++i)
-      write_file(i, described, run);
-    if(!options.output_directory.empty())
-      for(const Input_part& part : cloud.parts)
-        write_part(part, shapes);
+    for(std::size_t i = 0; i < writers.size(); ++i) {
+      check_signals();
+      files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
+    }
+    for(std::size_t i = 0; i < cloud.parts.size() && !options.output_directory.empty(); ++i) {
+      check_signals();
+      const Input_part& part = cloud.parts[i];
+      files.emplace_back(output_of(part));
+      files.back().write([&](std::ostream& out) {
+        write_points(out, output_of(part), part_of(cloud.points, part.first, part.last), shapes, part.notes.las_frame);
+      });
+    }
   }
 
   // Gives the files their names.
@@ -72,18 +221,26 @@ private:
   {
     const Options& o = options;
     open(o.output, [this](std::ostream& out, const Described_shapes& d, const Run&) {
-      write_points(out, options.output, 0, cloud.points.size(), d.shapes, first_las_frame(cloud));
+      const auto has_frame = [](const Input_part& part) { return part.notes.las_frame.has_value(); };
+      const auto part = std::find_if(cloud.parts.begin(), cloud.parts.end(), has_frame);
+      write_points(out, options.output, part_of(cloud.points, 0, cloud.points.size()), d.shapes,
+                   part != cloud.parts.end() ? part->notes.las_frame : std::nullopt);
     });
-    open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) { write_labels(out, d.shapes); });
-    open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_planes(out, d.shapes); });
+    open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) {
+      for(std::int32_t shape : d.shapes.shape_indices())
+        write_binary(out, shape);
+    });
+    open(o.planes, [](std::ostream& out, const Described_shapes& d, const Run&) {
+      out << std::setprecision(17);
+      for(const auto& c : d.shapes.data().coefficients)
+        out << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3] << '\n';
+    });
     open(o.shapes, [](std::ostream& out, const Described_shapes& d, const Run&) { write_shape_table(out, d.table()); });
     open(o.vg, [this](std::ostream& out, const Described_shapes& d, const Run&) {
       write_vg(out, d.points, options.has_group_for_each_plane ? joined_shapes(d.points, d.shapes) : d.shapes);
     });
-    open(o.polygons, [this](std::ostream& out, const Described_shapes& d, const Run&) {
-      const Faces_of_file faces = options.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons;
-      write_polygons(out, d, {lower_case_extension(options.polygons), faces, options.crs});
-    });
+    open(o.polygons,
+         [this](std::ostream& out, const Described_shapes& d, const Run&) { write_polygons(out, d, options); });
     open(o.view, &write_view);
     open(o.report,
          [](std::ostream& out, const Described_shapes& d, const Run& run) { write_report(out, d.shapes, run); });
@@ -99,47 +256,17 @@ private:
     writers.push_back(writer);
   }
 
-  // There may be more files than a process can have open: they are opened, and closed again.
-  void try_files_of_inputs() const
-  {
-    for(const Input_part& part : cloud.parts)
-      Output_file(output_of(part));
-  }
-
   std::string output_of(const Input_part& part) const
   {
     return output_of_input(options.output_directory, options.inputs[part.input]);
   }
 
-  void write_file(std::size_t i, const Described_shapes& described, const Run& run)
-  {
-    check_signals();
-    files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
-  }
-
-  void write_part(const Input_part& part, const Shapes& shapes)
-  {
-    check_signals();
-    files.emplace_back(output_of(part));
-    files.back().write([&](std::ostream& out) {
-      write_points(out, output_of(part), part.first, part.last, shapes, part.notes.las_frame);
-    });
-  }
-
   // Those of a part of the cloud.
-  void write_points(std::ostream& out, const std::string& path, std::size_t first, std::size_t last,
-                    const Shapes& shapes, const std::optional<Las_frame>& frame) const
+  void write_points(std::ostream& out, const std::string& path, const Point_part& part, const Shapes& shapes,
+                    const std::optional<Las_frame>& frame) const
   {
-    write_cloud(out, cloud.points, Point_part(cloud.points, first, last), shapes,
-                {output_extension(path), options.colors, options.label_property, frame});
-  }
-
-  static std::optional<Las_frame> first_las_frame(const Input_cloud& cloud)
-  {
-    for(const Input_part& part : cloud.parts)
-      if(part.notes.las_frame)
-        return part.notes.las_frame;
-    return std::nullopt;
+    const std::string extension = output_extension(path);
+    write_cloud(out, {cloud.points, part, shapes, extension, options}, extension, frame);
   }
 
   const Options& options;
@@ -175,15 +302,6 @@ std::uint64_t hash_of_all(const Shapes& shapes, const std::vector<Input_part>& p
 
 // ---
 
-// What the back end that was chosen in the end ran on.
-void name_device(const Shapes& shapes, int threads, Run& run)
-{
-  if(shapes.statistics().backend == "cuda")
-    run.device = CGAL::Tandem::cuda_device_report();
-  if(shapes.statistics().backend == "parallel")
-    run.threads = threads;
-}
-
 // rest: for the message, if that fails.
 void print(const std::string& text, const char* rest)
 {
@@ -196,10 +314,10 @@ void print(const std::string& text, const char* rest)
 void write_files(Output_files& files, const Shapes& shapes, const Options& o, bool is_first, Run& run)
 {
   const std::size_t said = run.warnings.size();
-  std::optional<Progress_line> progress;
-  progress.emplace(!o.is_quiet && is_first, "writing");
-  files.write(shapes, run);
-  progress.reset();
+  {
+    const Progress_line progress(!o.is_quiet && is_first, "writing");
+    files.write(shapes, run);
+  }
   for(std::size_t i = said; i < run.warnings.size(); ++i)
     warn(run.warnings[i]);
 }
@@ -207,17 +325,11 @@ void write_files(Output_files& files, const Shapes& shapes, const Options& o, bo
 // Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
 std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
 try {
-  std::optional<Progress_line> progress;
-  progress.emplace(!o.is_quiet && !o.mesh.empty(), "making the mesh");
-  const std::optional<Mesh_facts> facts = files.write_mesh(shapes);
-  progress.reset();
-  if(!facts)
-    return {};
-  run.mesh =
-    std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
-    std::to_string(facts->usable_planes) + " planes, with " +
-    std::to_string(100 * facts->points / (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1))) +
-    " % of the points of shapes";
+  const Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
+  const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
+  if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes))
+    run.mesh = text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes, with ",
+                       100 * facts->points / points, " % of the points of shapes");
   return {};
 } catch(const std::bad_alloc&) {
   return "--mesh: not enough memory";
@@ -227,35 +339,19 @@ try {
   return e.what();
 }
 
-// The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
-void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
+// The mesh and the summary, when all other files are complete.
+void finish(Output_files& files, const Shapes& shapes, const Options& o, Ranks& ranks, Run& run)
 {
-  for(bool is_turn_of_first : {true, false})
-    ranks.together([&] {
-      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
-        folders.make(o.output_directory);
-    });
-}
-
-// Those that are known before the report is written.
-std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                      const Ranks& ranks, const Run& run)
-{
-  const Cloud_box box = box_of(points, ranks);
-  std::vector<std::string> warnings = cloud_warnings(points, box, run.tolerance.mean, ranks);
-  const bool has_one_distance = o.maximum_distance && !run.tolerance.is_of_each_point;
-  for(std::string& warning : result_warnings(points, shapes, box, has_one_distance, ranks))
-    warnings.push_back(std::move(warning));
-  if(!o.known_planes.empty() && shapes.statistics().number_of_assigned_points == 0)
-    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
-                       ": a larger --maximum-distance or --maximum-angle takes more");
-  return warnings;
-}
-
-void add_sentence(std::vector<std::string>& warnings, const std::string& sentence)
-{
-  if(!sentence.empty())
-    warnings.push_back(sentence);
+  const std::string failure = make_mesh(files, shapes, o, run);
+  const char* rest = files.is_empty() ? "" : "; the other files are complete";
+  if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
+    rest = "; the files are complete";
+  ranks.together([&] {
+    if(!o.is_quiet && ranks.is_first())
+      print(summary(shapes, run), rest);
+    if(!failure.empty())
+      throw_error(failure, rest);
+  });
 }
 
 void run(Options o, Ranks& ranks, Made_folders& folders)
@@ -268,13 +364,17 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   Run run;
   run.ranks = ranks.size();
   Input_cloud cloud;
-  const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
-  read_inputs(o, rank_of_input, ranks, cloud, run);
+  const std::vector<int> rank_of_input = read_inputs(o, ranks, cloud, run);
   std::vector<Point_set::Index> hidden;
   if(o.ignores_zeros)
     hidden = hide_zeros(cloud.points, ranks, run.zeros);
   std::optional<Output_files> files;
-  make_directory(o, ranks, folders);
+  // The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
+  for(bool is_turn_of_first : {true, false})
+    ranks.together([&] {
+      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
+        folders.make(o.output_directory);
+    });
   ranks.together([&] {
     files.emplace(o, cloud, ranks.is_first());
     prepare_normals(cloud.points, o, run);
@@ -285,19 +385,18 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
-  name_device(*shapes, limit.threads(), run);
+  // What the back end that was chosen in the end ran on.
+  const std::string& backend = shapes->statistics().backend;
+  run.device = backend == "cuda" ? CGAL::Tandem::cuda_device_report() : "CPU";
+  run.threads = backend == "parallel" ? limit.threads() : 1;
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
-  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
-  add_sentence(warnings, sides.warning());
+  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run.tolerance);
+  warnings.emplace_back(sides.warning());
   ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
-  add_sentence(warnings, warning_of_planes(cloud.points, *shapes, o));
+  warnings.push_back(warning_of_planes(cloud.points, *shapes, o));
   run.hash = ranks.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, ranks) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : warnings) {
-    if(ranks.is_first())
-      warn(warning);
-    run.warnings.push_back(warning);
-  }
+  add_warnings(warnings, ranks.is_first(), run);
   for(Point_set::Index i : hidden)
     cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
   const Shapes& sided = sides(*shapes);
@@ -310,16 +409,7 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
     files->commit();
     folders.keep();
   });
-  const std::string failure = make_mesh(*files, *shapes, o, run);
-  const char* rest = files->is_empty() ? "" : "; the other files are complete";
-  if(failure.empty() && !(files->is_empty() && o.mesh.empty()))
-    rest = "; the files are complete";
-  ranks.together([&] {
-    if(!o.is_quiet && ranks.is_first())
-      print(summary(*shapes, run), rest);
-    if(!failure.empty())
-      throw_error(failure, rest);
-  });
+  finish(*files, *shapes, o, ranks, run);
 }
 
 void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_folders& folders)

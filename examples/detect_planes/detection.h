@@ -8,11 +8,13 @@
 #define DETECT_PLANES_DETECTION_H
 
 #include "check_options.h"
+#include "input/read_cloud.h"
 #include "output/writers.h"
 #include "warnings.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 #include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
@@ -26,6 +28,96 @@
 #endif
 
 namespace program {
+
+// --- The tolerance of each point, where points have their own: a property of the cloud.
+
+using Tolerance_map = Point_set::Property_map<double>;
+
+inline bool has_tolerance_of_each_point(const Options& o)
+{
+  return !o.tolerance_column.empty() || o.noise || o.has_local_distances;
+}
+
+// Where the tolerances come from.
+inline std::string source_of_tolerances(const Options& o)
+{
+  if(!o.tolerance_column.empty())
+    return "column " + o.tolerance_column;
+  if(o.noise)
+    return "noise " + o.noise_text;
+  return o.has_local_distances ? "auto-local" : o.maximum_distance ? "given" : "estimated";
+}
+
+// The place from which the points of an input were seen, if it is known: that of the option, else that of the file.
+// Writers that know none put the default into PCD files.
+inline std::optional<Kernel::Point_3> viewpoint_of(const Options& o, const Input_part& part, bool takes_default)
+{
+  const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
+  if(!o.viewpoint && (!of_file || (of_file->is_default && !takes_default)))
+    return std::nullopt;
+  const std::array<double, 3>& place = o.viewpoint ? *o.viewpoint : of_file->place;
+  return Kernel::Point_3(place[0], place[1], place[2]);
+}
+
+// Of the column the reader has made the property already; where a rank has no points, it is empty. Those of auto-local
+// come with the detection.
+inline void prepare_tolerances(const Options& o, Input_cloud& cloud)
+{
+  if(!has_tolerance_of_each_point(o))
+    return;
+  Tolerance_map tolerances = cloud.points.add_property_map<double>(tolerance_name, 0.).first;
+  if(!o.noise)
+    return;
+  for(const Input_part& part : cloud.parts) {
+    if(part.first == part.last)
+      continue;
+    const std::optional<Kernel::Point_3> sensor = viewpoint_of(o, part, false);
+    if(!sensor)
+      throw_error(o.inputs[part.input],
+                  (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none"
+                                        : ": has no place of the sensor"),
+                  ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
+    for(Point_set::Index i : part_of(cloud.points, part.first, part.last)) {
+      const Kernel::Vector_3 v = cloud.points.point(i) - *sensor;
+      const double range = std::sqrt(std::fma(v.x(), v.x(), std::fma(v.y(), v.y(), v.z() * v.z()))); // on all compilers
+      tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range));
+    }
+  }
+}
+
+// No tolerance exceeds the maximum distance. The sum of all is one of integers, so that it does not depend on the ranks.
+inline Tolerance_facts tolerance_facts(const Point_set& points, const Options& o, const Shapes& shapes,
+                                       const Ranks& ranks)
+{
+  const double maximum_distance = shapes.parameters().maximum_distance;
+  Tolerance_facts facts;
+  facts.source = source_of_tolerances(o);
+  facts.note = o.estimate_note.empty() ? with_options(shapes.statistics().estimate_note) : o.estimate_note;
+  facts.is_of_each_point = has_tolerance_of_each_point(o);
+  facts.smallest = facts.mean = facts.largest = maximum_distance;
+  if(!facts.is_of_each_point)
+    return facts;
+  const Tolerance_map tolerances = *find_property<double>(points, tolerance_name);
+  constexpr int sum_bits = 30;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  long long count = 0, sum = 0;
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i)) && tolerances[i] > 0) {
+      const double tolerance = (std::min)(tolerances[i], maximum_distance);
+      smallest = (std::min)(smallest, tolerance);
+      largest = (std::max)(largest, tolerance);
+      sum += std::llround(std::ldexp(tolerance / maximum_distance, sum_bits));
+      ++count;
+    }
+  smallest = -ranks.largest(-smallest);
+  facts.largest = ranks.largest(largest);
+  const std::vector<long long> sums = ranks.sums({count, sum});
+  facts.smallest = sums[0] > 0 ? smallest : 0;
+  facts.mean = sums[0] > 0 ? maximum_distance * std::ldexp(double(sums[1]) / double(sums[0]), -sum_bits) : 0;
+  return facts;
+}
+
+// --- The parameters, and the detection with them.
 
 // A number below 0 is outside of the ranges of the library, as 0 is.
 inline std::size_t count_of(const std::optional<long long>& given, std::size_t otherwise)
@@ -156,52 +248,26 @@ private:
 
 // --- Finds what the program, as it is built, or this machine cannot do, before any work.
 
-// What is not built is bad usage, as a device that is not there is none.
-inline void check_backend(const Options& o)
-{
-  const std::vector<std::string> built = built_with().backends();
-  if(std::find(built.begin(), built.end(), o.backend) == built.end())
-    throw_error<Usage_error>("--backend ", o.backend, " needs ", (o.backend == "cuda" ? "CUDA" : "oneTBB"),
-                             ": this program was built without it");
-  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
-    throw_error("the back end cuda cannot be used: ", CGAL::Tandem::cuda_device_report(),
-                " (--backend auto takes what there is)");
-}
-
 inline void check_program(const Options& o, const Ranks& ranks)
 {
   parameters_of(o);
   if(ranks.are_many())
     check_ranks(o);
-  check_backend(o);
-  if(output_extension(o.output) == ".laz" && !has_laszip)
-    throw_error<Usage_error>(o.output,
-                             ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
-  if(!o.view.empty() && !has_view)
-    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
+  // What is not built is bad usage, as a device that is not there is none.
+  refuse_if(!is_in(o.backend, built_with().backends()), "--backend ", o.backend, " needs ",
+            o.backend == "cuda" ? "CUDA" : "oneTBB", ": this program was built without it");
+  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw_error("the back end cuda cannot be used: ", CGAL::Tandem::cuda_device_report(),
+                " (--backend auto takes what there is)");
+  refuse_if(output_extension(o.output) == ".laz" && !has_laszip, o.output,
+            ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
+  refuse_if(!o.view.empty() && !has_view,
+            "--view: this program was built without three.js; install libjs-three and build again");
 }
 
 // --- Planes from a file, as --planes writes them, or from the columns a, b, c, d of a table with a line of names.
 
-using Cells = std::vector<std::string_view>;
 using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
-
-inline bool are_numbers(const Cells& cells)
-{
-  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
-}
-
-inline Plane_columns columns_of_planes(const Text_row& row, const Cells& names)
-{
-  Plane_columns columns;
-  for(std::size_t c = 0; c < 4; ++c) {
-    columns[c] =
-      std::size_t(std::find(names.begin(), names.end(), std::string_view("abcd").substr(c, 1)) - names.begin());
-    if(columns[c] == names.size())
-      fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
-  }
-  return columns;
-}
 
 inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cells, const Plane_columns& columns)
 {
@@ -210,7 +276,7 @@ inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cel
     const std::string_view cell = cells[columns[c]];
     const std::optional<double> number = parse_number(cell);
     if(!number || !std::isfinite(*number))
-      fail_at_row(row.number, "has '" + std::string(cell.substr(0, 40)) + "' where a finite number is expected");
+      fail_at_row(row.number, "has '", cell.substr(0, 40), "' where a finite number is expected");
     plane[c] = *number;
   }
   const double largest = (std::max)({std::fabs(plane[0]), std::fabs(plane[1]), std::fabs(plane[2])});
@@ -222,31 +288,6 @@ inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cel
 }
 
 // The first row may have names instead of numbers.
-inline std::vector<CGAL::Tandem::Coefficients> read_planes(Text_lines& lines)
-{
-  std::vector<CGAL::Tandem::Coefficients> planes;
-  Plane_columns columns = {0, 1, 2, 3};
-  std::size_t values = 0; // of each row
-  while(lines.next_filled()) {
-    const Text_row& row = lines.row();
-    const Cells cells = values_of(row.text);
-    if(is_comment(row.text))
-      continue;
-    if(values == 0 && !are_numbers(cells)) {
-      columns = columns_of_planes(row, cells);
-      values = cells.size();
-      continue;
-    }
-    values = values == 0 ? 4 : values;
-    if(cells.size() != values)
-      fail_at_row(row.number, "has " + std::to_string(cells.size()) + " values instead of " + std::to_string(values));
-    planes.push_back(plane_of(row, cells, columns));
-  }
-  if(planes.empty())
-    throw std::runtime_error("has no planes");
-  return planes;
-}
-
 inline void read_known_planes(Options& o)
 try {
   if(o.planes_from.empty())
@@ -254,7 +295,30 @@ try {
   File_source file(o.planes_from);
   Input_buffer bytes(file);
   Text_lines lines(bytes);
-  o.known_planes = read_planes(lines);
+  Plane_columns columns = {0, 1, 2, 3};
+  std::size_t values = 0; // of each row
+  while(lines.next_filled()) {
+    const Text_row& row = lines.row();
+    const Cells cells = values_of(row.text);
+    if(is_comment(row.text))
+      continue;
+    if(values == 0 && !std::all_of(cells.begin(), cells.end(), parse_number)) {
+      for(std::size_t c = 0; c < 4; ++c) {
+        const std::string_view name = std::string_view("abcd").substr(c, 1);
+        columns[c] = std::size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
+        if(columns[c] == cells.size())
+          fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
+      }
+      values = cells.size();
+      continue;
+    }
+    values = values == 0 ? 4 : values;
+    if(cells.size() != values)
+      fail_at_row(row.number, "has ", cells.size(), " values instead of ", values);
+    o.known_planes.push_back(plane_of(row, cells, columns));
+  }
+  if(o.known_planes.empty())
+    throw std::runtime_error("has no planes");
 } catch(const std::runtime_error& e) {
   throw_error("--planes-from ", o.planes_from, ": ", e.what());
 }

@@ -10,10 +10,17 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <system_error>
 
 namespace program {
+
+template <class Item, class Items = std::initializer_list<const char*>>
+bool is_in(const Item& item, const Items& items)
+{
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
 
 // The file that a chain of links leads to, whether that exists or not.
 inline std::filesystem::path follow_links(std::filesystem::path path)
@@ -45,19 +52,9 @@ inline std::string lower_case_extension(const std::filesystem::path& path)
   return extension;
 }
 
-inline bool is_geojson(const std::string& path)
-{
-  return lower_case_extension(path) == ".geojson" || lower_case_extension(path) == ".json";
-}
+inline bool is_geojson(const std::string& path) { return is_in(lower_case_extension(path), {".geojson", ".json"}); }
 
 inline bool is_gzip(const std::string& path) { return lower_case_extension(path) == ".gz"; }
-
-// The extension that tells the format: .ply of cloud.ply.gz.
-inline std::string input_extension(const std::string& path)
-{
-  const std::filesystem::path name(path);
-  return lower_case_extension(is_gzip(path) ? name.stem() : name);
-}
 
 constexpr std::array<const char*, 8> table_extensions = {".xyz", ".txt",  ".csv",    ".pts",
                                                          ".pwn", ".xyzn", ".xyzrgb", ".asc"};
@@ -72,24 +69,19 @@ inline std::string table_names()
   return names;
 }
 
-inline bool is_table(const std::string& extension)
-{
-  return std::find(table_extensions.begin(), table_extensions.end(), extension) != table_extensions.end();
-}
-
-inline bool is_las(const std::string& extension) { return extension == ".las" || extension == ".laz"; }
+inline bool is_table(const std::string& extension) { return is_in(extension, table_extensions); }
+inline bool is_las(const std::string& extension) { return is_in(extension, {".las", ".laz"}); }
 
 // Of a cloud that is read.
 inline bool is_input_extension(const std::string& extension)
 {
-  return is_table(extension) || is_las(extension) || extension == ".ply" || extension == ".pcd" ||
-         extension == ".off" || extension == ".ptx";
+  return is_table(extension) || is_las(extension) || is_in(extension, {".ply", ".pcd", ".off", ".ptx"});
 }
 
-// The extension that a file is read by: that of --format, or its own.
-inline std::string input_format(const std::string& path, const std::string& format)
+// The extension that a file is read by: that of --format, or its own, .ply of cloud.ply.gz.
+inline std::string input_format(const std::filesystem::path& path, const std::string& format)
 {
-  return format.empty() ? input_extension(path) : format;
+  return !format.empty() ? format : lower_case_extension(is_gzip(path.string()) ? path.stem() : path);
 }
 
 // Devices and pipes without an extension get PLY.
@@ -103,12 +95,7 @@ inline std::string output_extension(const std::string& path)
   return extension.empty() && (is_special || path.compare(0, 5, "/dev/") == 0) ? ".ply" : extension;
 }
 
-inline bool is_output_extension(const std::string& extension)
-{
-  return std::find(output_extensions.begin(), output_extensions.end(), extension) != output_extensions.end();
-}
-
-inline bool is_known_output(const std::string& path) { return is_output_extension(output_extension(path)); }
+inline bool is_known_output(const std::string& path) { return is_in(output_extension(path), output_extensions); }
 
 // Of --output-directory: the name of the input, without .gz, and with .ply in place of what is not written.
 inline std::string output_of_input(const std::string& directory, const std::string& input)
@@ -116,7 +103,7 @@ inline std::string output_of_input(const std::string& directory, const std::stri
   std::filesystem::path name = std::filesystem::path(input).filename();
   if(is_gzip(input))
     name = name.stem();
-  if(!is_output_extension(lower_case_extension(name)))
+  if(!is_in(lower_case_extension(name), output_extensions))
     name.replace_extension(".ply");
   return (directory / name).string();
 }

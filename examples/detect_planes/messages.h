@@ -49,9 +49,14 @@ inline std::size_t visible_length(std::string_view text)
   return is_control || changes_direction ? 0 : length;
 }
 
+struct Visible {
+  std::string_view text;
+};
+
 // Writes \x1b for a byte that cannot be shown, so that no input controls a terminal. Works without memory.
-inline void write_visible(std::ostream& out, std::string_view text)
+inline std::ostream& operator<<(std::ostream& out, const Visible& visible)
 {
+  std::string_view text = visible.text;
   while(!text.empty()) {
     std::size_t shown = 0;
     for(std::size_t n = 1; n > 0; shown += n)
@@ -59,20 +64,19 @@ inline void write_visible(std::ostream& out, std::string_view text)
     out.write(text.data(), std::streamsize(shown));
     text.remove_prefix(shown);
     if(text.empty())
-      return;
+      break;
     const unsigned char byte = (unsigned char)(text[0]);
     out << "\\x"
         << "0123456789abcdef"[byte / 16] << "0123456789abcdef"[byte % 16];
     text.remove_prefix(1);
   }
+  return out;
 }
 
 // One line, whatever a library or the name of a file put into the message. Works without memory, too.
 inline void print_message(const char* before, std::string_view message, const char* after = "")
 {
-  std::cerr << before;
-  write_visible(std::cerr, message);
-  std::cerr << after << std::endl;
+  std::cerr << before << Visible{message} << after << std::endl;
 }
 
 // Returns the exit code.
@@ -116,9 +120,6 @@ public:
     drawer.join();
     out << '\r' << std::string(width, ' ') << '\r' << std::flush;
   }
-
-  Progress_line(const Progress_line&) = delete;
-  Progress_line& operator=(const Progress_line&) = delete;
 
   // Of a detection.
   void show(double progress)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
 namespace program {
@@ -35,41 +36,44 @@ auto number_option(std::optional<Number>& target, const char* name)
   return po::value<Number>()->value_name(name)->notifier([&target](Number x) { target = x; });
 }
 
+template <class... Words>
+void add(po::options_description& group, const char* name, const po::value_semantic* value, const Words&... help)
+{
+  group.add_options()(name, value, text_of(help...).c_str());
+}
+
 // --- The options of the command line that say how the inputs are read.
 
 inline void add_input_options(po::options_description& all, Options& o, const Built_with& built)
 {
-  const std::string las = built.laszip ? ".las and .laz" : ".las";
   po::options_description group("Input");
-  auto add = group.add_options();
-  add("format", text_option(o.format, "NAME"),
+  add(group, "format", text_option(o.format, "NAME"),
       "read all inputs as this format, whatever their names end in: ply, las, pcd, off, ptx, xyz or another extension "
       "of a text table");
-  add("columns", text_option(o.columns, "NAMES"),
+  add(group, "columns", text_option(o.columns, "NAMES"),
       "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
       "(default: from a line of names, or from the values; the output says which)");
   add(
-    "decimal-comma", po::bool_switch(&o.has_decimal_commas),
+    group, "decimal-comma", po::bool_switch(&o.has_decimal_commas),
     "numbers of text tables have a comma in place of the point, as in 1,5;2,5;3,5: semicolons or blanks separate them");
-  add("classes", text_option(o.classes, "LIST"),
-      ("only the points of these classes, as 2,6 (of " + las +
-       ", or of a property or column 'classification'); the others are in no output")
-        .c_str());
-  add("crop", text_option(o.crop, "BOX"),
+  add(group, "classes", text_option(o.classes, "LIST"), "only the points of these classes, as 2,6 (of ",
+      built.laszip ? ".las and .laz" : ".las",
+      ", or of a property or column 'classification'); the others are in no output");
+  add(group, "crop", text_option(o.crop, "BOX"),
       "only the points in the box XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX, in the coordinates of the input; -inf and inf leave a "
       "side open; the others are in no output");
-  add("sample", number_option(o.sample, "N"),
+  add(group, "sample", number_option(o.sample, "N"),
       "the points are N on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the "
       "normals of the faces; 0: the corners of the faces. Without it a file with faces is refused");
   add(
-    "viewpoint",
+    group, "viewpoint",
     parsed_option("X,Y,Z",
                   [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
     "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
     "sides of planes, are those towards it; for --noise the place of the sensor. It is an error for an input with "
     "normals of its own, which have a side, unless --estimate-normals or --noise is given (default: the VIEWPOINT of "
     ".pcd files, where it is not 0 0 0 1 0 0 0, which only --oriented uses, and the place in .ptx files of one scan)");
-  add("ignore-zeros", po::bool_switch(&o.ignores_zeros),
+  add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
       "points that are exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and nothing depends on "
       "them");
   all.add(group);
@@ -77,43 +81,35 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
 
 // --- The options of the command line that say how far points may be from their planes.
 
-// The value of --maximum-distance.
-inline void set_maximum_distance(const std::string& text, Options& o)
-{
-  o.has_local_distances = text == "auto-local";
-  if(text == "auto" || text == "auto-local")
-    return;
-  o.maximum_distance = parse_number(text);
-  if(!o.maximum_distance)
-    throw_error<Usage_error>("--maximum-distance is '", text, "', must be a number, auto or auto-local");
-}
-
 inline void add_tolerance_options(po::options_description& group, Options& o)
 {
-  std::ostringstream noise;
-  noise.precision(3);
-  noise << "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in "
-           "\"0.001 + 0.0028*r^2\": the tolerance of each point is "
-        << CGAL::Tandem::distance_of_noise(1)
-        << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 "
-           "0, or of a .ptx file of one scan";
-  auto add = group.add_options();
-  add("maximum-distance", parsed_option("D", [&o](const std::string& s) { set_maximum_distance(s, o); }),
+  add(group, "maximum-distance",
+      parsed_option("D",
+                    [&o](const std::string& text) {
+                      o.has_local_distances = text == "auto-local";
+                      o.maximum_distance = parse_number(text);
+                      refuse_if(!o.maximum_distance && !is_in(text, {"auto", "auto-local"}), "--maximum-distance is '",
+                                text, "', must be a number, auto or auto-local");
+                    }),
       "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
       "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
       "or --noise the value that nearly all tolerances do not exceed; or auto-local: estimated for each point, from "
       "the noise around it (default: auto)");
-  add("tolerance-column", text_option(o.tolerance_column, "NAME"),
+  add(group, "tolerance-column", text_option(o.tolerance_column, "NAME"),
       "the largest distance of each point to the plane of its shape is that property of .ply, field of .pcd, column of "
       "a text table (of its line of names or of --columns) or extra dimension of .las. Points where it is not positive "
       "have no shape");
-  add("noise",
+  add(group, "noise",
       parsed_option("SUM",
                     [&o](const std::string& text) {
                       o.noise_text = text;
-                      o.noise = parse_noise(text);
+                      o.noise = Noise_parser(text).parse();
                     }),
-      noise.str().c_str());
+      "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in "
+      "\"0.001 + 0.0028*r^2\": the tolerance of each point is ",
+      std::setprecision(3), CGAL::Tandem::distance_of_noise(1),
+      " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0, or "
+      "of a .ptx file of one scan");
 }
 
 // --- The options of the command line that say which of the shapes the outputs have.
@@ -121,13 +117,12 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
 inline void add_selection_options(po::options_description& all, Options& o)
 {
   po::options_description group("Selection (all outputs have only the shapes that fit all of these)");
-  auto add = group.add_options();
-  add("largest", number_option(o.largest, "N"), "the N shapes with most points, of those that fit the others");
-  add("minimum-area", number_option(o.minimum_area, "A"),
+  add(group, "largest", number_option(o.largest, "N"), "the N shapes with most points, of those that fit the others");
+  add(group, "minimum-area", number_option(o.minimum_area, "A"),
       "shapes whose points cover at least this area, in squares of the unit of the input");
-  add("minimum-extent", number_option(o.minimum_extent, "L"),
+  add(group, "minimum-extent", number_option(o.minimum_extent, "L"),
       "shapes that are at least so long: the longer side of a rectangle around the points");
-  add("near-direction",
+  add(group, "near-direction",
       parsed_option("DIRECTION", [&o](const std::string& text) { o.near_direction = parse_near_direction(text); }),
       "shapes with a normal within 10 degrees of X,Y,Z, of either sign; 'vertical' are walls, and 'horizontal' floors "
       "and ceilings, by the symmetry direction, or else z, as upward. An angle may follow, as in vertical,5");
@@ -138,82 +133,57 @@ inline void add_selection_options(po::options_description& all, Options& o)
 
 inline void add_cloud_options(po::options_description& group, Options& o, const Built_with& built)
 {
-  const std::string las = built.laszip ? ".las or .laz" : ".las", all_las = built.laszip ? ".las and .laz" : ".las";
-  const std::string output =
-    "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
-    "classification kept, and its tolerance, where each has its own (not in .las): .ply or .pcd (binary), .xyz, .txt "
-    "or .csv (text with a line of names), " +
-    las +
-    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points fit "
-    "it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";
-  const std::string directory =
-    std::string(
+  add(group, "output", text_option(o.output, "FILE"),
+      "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
+      "classification kept, and its tolerance, where each has its own (not in .las): .ply or .pcd (binary), .xyz, .txt "
+      "or .csv (text with a line of names), ",
+      built.laszip ? ".las or .laz" : ".las",
+      " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points fit "
+      "it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)");
+  add(group, "output-directory", text_option(o.output_directory, "DIR"),
       "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, which is "
-      "made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does not write") +
-    (built.gzip ? ", without .gz" : "");
-  const std::string colors =
-    "the colors of --output and --output-directory: shape, one for each, or input (default: input for " + all_las +
-    ", else shape)";
-  const char* const label = "the name of the shape of each point in --output and --output-directory: letters, digits "
-                            "and _, as in scalar_shape (default: shape)";
-  auto add = group.add_options();
-  add("output", text_option(o.output, "FILE"), output.c_str());
-  add("output-directory", text_option(o.output_directory, "DIR"), directory.c_str());
-  add("colors", text_option(o.colors, "NAME"), colors.c_str());
-  add("label-property", text_option(o.label_property, "NAME"), label);
+      "made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does not write",
+      built.gzip ? ", without .gz" : "");
+  add(group, "colors", text_option(o.colors, "NAME"),
+      "the colors of --output and --output-directory: shape, one for each, or input (default: input for ",
+      built.laszip ? ".las and .laz" : ".las", ", else shape)");
+  add(group, "label-property", text_option(o.label_property, "NAME"),
+      "the name of the shape of each point in --output and --output-directory: letters, digits "
+      "and _, as in scalar_shape (default: shape)");
 }
 
 inline void add_result_options(po::options_description& group, Options& o, const Built_with& built)
 {
-  const std::string oriented =
-    "the normals of the planes of --planes, --shapes" + std::string(built.view ? ", --view" : "") +
-    " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
-    "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes";
-  auto add = group.add_options();
-  add("labels", text_option(o.labels, "FILE"),
+  add(group, "labels", text_option(o.labels, "FILE"),
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
-  add("planes", text_option(o.planes, "FILE"),
+  add(group, "planes", text_option(o.planes, "FILE"),
       "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
-  add("shapes", text_option(o.shapes, "FILE"),
+  add(group, "shapes", text_option(o.shapes, "FILE"),
       "a table .csv with a line for each shape: points, plane, centroid, area, length and width of the smallest "
       "rectangle around the points, lowest and highest point, tilt, dip and azimuth, distances, by how much "
       "regularization moved the plane, its uncertainty, parallel and coplanar group. Upward is z, or "
       "--symmetry-direction");
-  add("by-plane", po::bool_switch(&o.is_by_plane),
+  add(group, "by-plane", po::bool_switch(&o.is_by_plane),
       "coplanar shapes are one shape in all outputs, so that there is one for each plane");
-  add("oriented", po::bool_switch(&o.is_oriented), oriented.c_str());
-  add("vg", text_option(o.vg, "FILE"),
+  add(
+    group, "oriented", po::bool_switch(&o.is_oriented), "the normals of the planes of --planes, --shapes",
+    built.view ? ", --view" : "",
+    " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
+    "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes");
+  add(group, "vg", text_option(o.vg, "FILE"),
       "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
-  add("polygons", text_option(o.polygons, "FILE"),
+  add(group, "polygons", text_option(o.polygons, "FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, .obj "
       "or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines where "
       "they meet. A shape of very few points has no polygon");
-  add("crs", text_option(o.crs, "NAME"),
+  add(group, "crs", text_option(o.crs, "NAME"),
       "the name of the coordinate reference system, such as urn:ogc:def:crs:EPSG::25833, which --polygons (.geojson, "
       ".json) writes as it is given");
-  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
-  add("report", text_option(o.report, "FILE"),
+  add(group, "triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
+  add(group, "report", text_option(o.report, "FILE"),
       "JSON with warnings, parameters, counts, quality, times, memory and relations: parallel and coplanar groups of "
       "shapes, orthogonal pairs of parallel groups, all counted from 0");
-}
-
-inline void add_mesh_options(po::options_description& group, Options& o)
-{
-  const std::string planes = "--mesh takes the N planes with most points: " + std::to_string(mesh_planes_by_default) +
-                             " by default, and up to " + std::to_string(most_mesh_planes);
-  auto add = group.add_options();
-  add("mesh", text_option(o.mesh, "FILE"),
-      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
-      "other files are complete");
-  add("mesh-planes", number_option(o.mesh_planes, "N"), planes.c_str());
-}
-
-inline void add_view_option(po::options_description& group, Options& o)
-{
-  group.add_options()(
-    "view", text_option(o.view, "FILE"),
-    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
 }
 
 // What the program was built without is hidden: it is known, to say so, but not offered.
@@ -223,8 +193,15 @@ inline void add_output_options(po::options_description& visible, po::options_des
   po::options_description group("Output (files appear only when they are complete)");
   add_cloud_options(group, o, built);
   add_result_options(group, o, built);
-  add_view_option(built.view ? group : hidden, o);
-  add_mesh_options(group, o);
+  add(
+    built.view ? group : hidden, "view", text_option(o.view, "FILE"),
+    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
+  add(group, "mesh", text_option(o.mesh, "FILE"),
+      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
+      "other files are complete");
+  add(group, "mesh-planes", number_option(o.mesh_planes, "N"),
+      "--mesh takes the N planes with most points: ", mesh_planes_by_default, " by default, and up to ",
+      most_mesh_planes);
   visible.add(group);
   hidden.add_options()("vg-by-plane",
                        po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone
@@ -234,21 +211,19 @@ inline void add_output_options(po::options_description& visible, po::options_des
 
 inline std::string usage(const Built_with& built)
 {
-  std::string text = "usage: detect_planes INPUT... [options]\n\n"
-                     "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
-                     "INPUT is a file .ply, .las, " +
-                     std::string(built.laszip ? ".laz, " : "") + ".pcd, .off, .ptx or a text table (" + table_names() +
-                     ")";
-  if(built.gzip)
-    text += std::string(",\nalso with .gz behind") + (built.laszip ? " (but .laz)" : "");
-  text +=
+  return text_of(
+    "usage: detect_planes INPUT... [options]\n\n"
+    "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
+    "INPUT is a file .ply, .las, ",
+    built.laszip ? ".laz, " : "", ".pcd, .off, .ptx or a text table (", table_names(), ")",
+    built.gzip ? ",\nalso with .gz behind" : "", built.gzip && built.laszip ? " (but .laz)" : "",
     ".\nSeveral are one cloud, in their order. Normals are estimated where the input has none, or only null ones.\n"
     "Exit code: 0 success, 1 the data cannot be read, processed or written, or the run was interrupted, 2 bad usage.\n"
-    "A second Ctrl-C ends it at once.\n";
-  if(built.mpi)
-    text += "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
-            "machines; the result is that of one process.\n";
-  return text;
+    "A second Ctrl-C ends it at once.\n",
+    !built.mpi
+      ? ""
+      : "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
+        "machines; the result is that of one process.\n");
 }
 
 inline void add_detection_options(po::options_description& all, Options& o)
@@ -258,68 +233,65 @@ inline void add_detection_options(po::options_description& all, Options& o)
   const auto off = [](bool& target) {
     return po::bool_switch()->notifier([&target](bool is_given) { target = !is_given; });
   };
-  auto add = group.add_options();
-  add("maximum-angle", number_option(o.maximum_angle, "DEG"),
+  add(group, "maximum-angle", number_option(o.maximum_angle, "DEG"),
       "largest angle between the normal of a point and that of its shape, from 0.05 to below 90 (default: 25)");
-  add("angle-tolerance", number_option(o.angle_tolerance, "DEG"),
+  add(group, "angle-tolerance", number_option(o.angle_tolerance, "DEG"),
       "angle within which shapes are made parallel or orthogonal if their points allow it, below 45 (default: 8)");
   add(
-    "maximum-offset", number_option(o.maximum_offset, "D"),
+    group, "maximum-offset", number_option(o.maximum_offset, "D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
-  add("minimum-region-size", number_option(o.minimum_region_size, "N"),
+  add(group, "minimum-region-size", number_option(o.minimum_region_size, "N"),
       "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
-  add("simplicity", number_option(o.simplicity, "MU"),
+  add(group, "simplicity", number_option(o.simplicity, "MU"),
       "what the size of a shape is worth, from 0, more layers and details, to 1, few and large planes (default: 0.04)");
-  add("regularity", number_option(o.regularity, "R"),
+  add(group, "regularity", number_option(o.regularity, "R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");
-  add("surfel-size", number_option(o.surfel_size, "R"),
+  add(group, "surfel-size", number_option(o.surfel_size, "R"),
       "edge of the cells whose points are taken as one while shapes grow, as a share of the maximum distance, from 0, "
       "each point by itself, to 0.55 (default: 0.55)");
-  add("k-neighbors", number_option(o.k_neighbors, "K"), "number of neighbors of a point, from 3 to 64 (default: 12)");
-  add("cell-size", number_option(o.cell_size, "N"),
+  add(group, "k-neighbors", number_option(o.k_neighbors, "K"),
+      "number of neighbors of a point, from 3 to 64 (default: 12)");
+  add(group, "cell-size", number_option(o.cell_size, "N"),
       "largest number of points of an octree cell, from 64 to 65536 (default: 8192)");
-  add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
-  add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
-  add("no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");
-  add("fixed-direction",
+  add(group, "no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
+  add(group, "no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
+  add(group, "no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");
+  add(group, "fixed-direction",
       po::value<std::vector<std::string>>()->value_name("X,Y,Z")->notifier([&o](const std::vector<std::string>& texts) {
         for(const std::string& text : texts)
           o.fixed_directions.push_back(parse_three("fixed-direction", text, Three::direction));
       }),
       "a direction known beforehand, such as the vertical 0,0,1: shapes within the angle tolerance become exactly "
       "parallel or orthogonal to it if their points allow it; may be given several times");
-  add("symmetry-direction",
+  add(group, "symmetry-direction",
       parsed_option("X,Y,Z",
                     [&o](const std::string& text) {
                       o.symmetry_direction = parse_three("symmetry-direction", text, Three::direction);
                     }),
       "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the "
       "same; for --mesh it is the direction upward");
-  add("planes-from", text_option(o.planes_from, "FILE"),
+  add(group, "planes-from", text_option(o.planes_from, "FILE"),
       "the planes of FILE instead of a detection: lines 'a b c d' as --planes writes them, or a table with columns a, "
       "b, c and d. Each point gets the nearest plane within the maximum distance and, where the input has normals, the "
       "maximum angle. Planes have no end, and their points need not be connected");
-  add("estimate-normals", number_option(o.estimate_normals, "[K]"),
+  add(group, "estimate-normals", number_option(o.estimate_normals, "[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);
 }
 
 inline void add_execution_options(po::options_description& all, Options& o, const Built_with& built)
 {
-  std::string backends;
-  for(const std::string& name : built.backends())
-    backends += (backends.empty() ? "" : ", ") + name;
   po::options_description group("Execution");
-  auto add = group.add_options();
-  add("backend", text_option(o.backend, "NAME"), (backends + "; all give the same result (default: auto)").c_str());
-  add("threads", number_option(o.threads, "N"),
+  add(group, "backend", text_option(o.backend, "NAME"), boost::join(built.backends(), ", "),
+      "; all give the same result (default: auto)");
+  add(group, "threads", number_option(o.threads, "N"),
       built.mpi ? "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine "
                   "are shared by the processes on it)"
                 : "largest number of threads, up to 4096 (default: all processors)");
-  add("quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
-  add("help", po::bool_switch(&o.wants_help), "print this text");
-  add("version", po::bool_switch(&o.wants_version), "print the version");
+  add(group, "quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
+  add(group, "help", po::bool_switch(&o.wants_help), "print this text");
+  add(group, "version", po::bool_switch(&o.wants_version), "print the version");
   all.add(group);
 }
 
@@ -331,9 +303,8 @@ inline std::vector<std::string> join_optional_value(int argc, const char* const 
   for(std::size_t i = 0; i < words.size(); ++i) {
     if(words[i] != "--estimate-normals")
       continue;
-    const bool is_followed_by_number =
-      i + 1 < words.size() && !words[i + 1].empty() &&
-      std::all_of(words[i + 1].begin(), words[i + 1].end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    const bool is_followed_by_number = i + 1 < words.size() && !words[i + 1].empty() &&
+                                       words[i + 1].find_first_not_of("0123456789") == std::string::npos;
     words[i] += "=" + (is_followed_by_number ? words[i + 1] : std::to_string(by_library));
     if(is_followed_by_number)
       words.erase(words.begin() + std::ptrdiff_t(i) + 1);
@@ -354,16 +325,6 @@ inline std::string message_of(const po::error& e, int argc, const char* const ar
   if(word == argv + argc)
     return e.what();
   return std::string("an option is not known, or its value is wrong; maybe in '") + *word + "'";
-}
-
-// An unset variable of a script is no wish for the default.
-inline void check_values(const po::variables_map& map)
-{
-  for(const auto& [name, value] : map) {
-    const auto* text = boost::any_cast<std::string>(&value.value());
-    if(text != nullptr && text->empty())
-      throw_error<Usage_error>("--", name, " is empty");
-  }
 }
 
 inline Command_line parse(int argc, const char* const argv[], const Built_with& built = Built_with())
@@ -388,7 +349,10 @@ inline Command_line parse(int argc, const char* const argv[], const Built_with& 
                 .style(style::unix_style & ~style::allow_guessing) // "--max 3" must not pass for one of three options
                 .run(),
               map);
-    check_values(map);
+    // An unset variable of a script is no wish for the default.
+    for(const auto& [name, value] : map)
+      if(const auto* text = boost::any_cast<std::string>(&value.value()))
+        refuse_if(text->empty(), "--", name, " is empty");
     po::notify(map);
   } catch(const po::error& e) {
     throw Usage_error(message_of(e, argc, argv));

@@ -6,13 +6,28 @@
 #ifndef DETECT_PLANES_WARNINGS_H
 #define DETECT_PLANES_WARNINGS_H
 
-#include "tolerance/Tolerances.h"
+#include "ranks/Ranks.h"
+#include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
 #include <new>
 
 namespace program {
+
+// What the library says of an estimate, with the options in place of its words.
+inline std::string with_options(std::string note)
+{
+  const std::pair<const char*, const char*> words[] = {
+    {"maximum_distance", "--maximum-distance"},
+    {"maximum_angle", "--maximum-angle"},
+    {"angle_tolerance", "--angle-tolerance"},
+    {"a tolerance for each point", "a tolerance for each point (--maximum-distance auto-local)"}};
+  for(const auto& [word, option] : words)
+    if(const std::size_t place = note.find(word); place != note.npos)
+      note.replace(place, std::strlen(word), option);
+  return note;
+}
 
 // --- The steps that coordinates come in, where digits of them were lost.
 
@@ -184,12 +199,6 @@ inline bool look_like_degrees(const Cloud_box& box)
          box.side(2) > smallest_height_in_degrees * side;
 }
 
-inline std::string warning_of_degrees(const Cloud_box& box)
-{
-  return sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ", box.side(0),
-                  ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees);
-}
-
 inline std::string warning_of_steps(const Point_set& points, double tolerance, const Ranks& ranks)
 {
   const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, ranks);
@@ -203,21 +212,6 @@ inline std::string warning_of_steps(const Point_set& points, double tolerance, c
                   steps.are_floats
                     ? ": write doubles, or subtract an offset before they become floats, which have 24 bits"
                     : ": write more digits");
-}
-
-// tolerance: the mean of those of points.
-inline std::vector<std::string> cloud_warnings(const Point_set& points, const Cloud_box& box, double tolerance,
-                                               const Ranks& ranks)
-{
-  std::vector<std::string> warnings;
-  if(are_zeros_strange(box))
-    warnings.push_back(advice_on_zeros(box));
-  if(look_like_degrees(box))
-    warnings.push_back(warning_of_degrees(box));
-  const std::string steps = tolerance > 0 ? warning_of_steps(points, tolerance, ranks) : "";
-  if(!steps.empty())
-    warnings.push_back(steps);
-  return warnings;
 }
 
 // --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
@@ -252,15 +246,6 @@ double smallest_noise(const Measure& measure, const Ranks& ranks)
   return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
-// Infinite where planes explain the points, which need not be measured then.
-inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
-{
-  const CGAL::Tandem::Statistics& s = shapes.statistics();
-  const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
-                       s.mean_distance < full_share * shapes.parameters().maximum_distance;
-  return smallest_noise([&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); }, ranks);
-}
-
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
 {
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
@@ -285,18 +270,31 @@ inline std::string why_poor(const CGAL::Tandem::Statistics& s)
                   percent(reason.points), " % are ", reason.name, ": ", reason.advice);
 }
 
-// Of the whole run, on all ranks.
-inline std::vector<std::string> result_warnings(const Point_set& points, const Shapes& shapes, const Cloud_box& box,
-                                                bool is_distance_given, const Ranks& ranks)
+// Of the whole run, on all ranks. Some of them may be empty.
+inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                             const Ranks& ranks, const Tolerance_facts& tolerance)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const double extent = box.extent(), share = share_in_shapes(s, box);
-  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0; // estimates cover the noise
+  const Cloud_box box = box_of(points, ranks);
+  const double extent = box.extent();
   std::vector<std::string> warnings;
+  if(are_zeros_strange(box))
+    warnings.push_back(advice_on_zeros(box));
+  if(look_like_degrees(box))
+    warnings.push_back(sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ",
+                                box.side(0), ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees));
+  if(tolerance.mean > 0)
+    warnings.push_back(warning_of_steps(points, tolerance.mean, ranks));
+  // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
+  const bool is_thin =
+    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_share * p.maximum_distance;
+  const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
+  const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
+  const double noise = is_distance_given ? smallest_noise(measure, ranks) : 0;
   if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
-  else if(share < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
+  else if(share_in_shapes(s, box) < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
     warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
@@ -306,8 +304,10 @@ inline std::vector<std::string> result_warnings(const Point_set& points, const S
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
-  if(!s.angle_note.empty())
-    warnings.push_back(with_options(s.angle_note));
+  warnings.push_back(with_options(s.angle_note));
+  if(!o.known_planes.empty() && s.number_of_assigned_points == 0)
+    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
+                       ": a larger --maximum-distance or --maximum-angle takes more");
   return warnings;
 }
 

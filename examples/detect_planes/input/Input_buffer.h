@@ -115,28 +115,82 @@ constexpr std::size_t longest_line = 65536; // in bytes. Longer ones are no text
 constexpr const char* carriage_return_alone =
   "ends in a carriage return alone (end lines with a line feed: tr '\\r' '\\n' < FILE)";
 
-[[noreturn]] inline void fail_at_row(std::size_t row, const std::string& reason)
+template <class... Words>
+[[noreturn]] void fail_at_row(std::size_t row, const Words&... words)
 {
-  throw_error("row ", row, ' ', reason);
+  throw_error("row ", row, ' ', words...);
 }
 
 inline bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 inline std::size_t first_not_blank(std::string_view text)
 {
   return std::size_t(std::find_if_not(text.begin(), text.end(), is_blank) - text.begin());
 }
 
+inline bool is_comment(std::string_view row)
+{
+  row.remove_prefix(first_not_blank(row));
+  return row.substr(0, 1) == "#" || row.substr(0, 2) == "//";
+}
+
+// What separates the values of a row: semicolons if it has any, else commas, else blanks. So a row that has several of
+// them is no row of numbers.
+inline char separator_of(std::string_view row)
+{
+  return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' ';
+}
+
+using Cells = std::vector<std::string_view>;
+
+// The values of a row. Between two commas or semicolons there may be an empty one; blanks around them do not count.
+inline Cells values_of(std::string_view row, char separator)
+{
+  Cells values;
+  const auto is_end = [=](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
+  for(row.remove_prefix(first_not_blank(row)); !row.empty(); row.remove_prefix(first_not_blank(row))) {
+    std::string_view value = row.substr(0, std::size_t(std::find_if(row.begin(), row.end(), is_end) - row.begin()));
+    row.remove_prefix((std::min)(value.size() + 1, row.size()));
+    while(!value.empty() && is_blank(value.back()))
+      value.remove_suffix(1);
+    values.push_back(value);
+  }
+  return values;
+}
+
+inline Cells values_of(std::string_view row) { return values_of(row, separator_of(row)); }
+
 struct Text_row {
   std::size_t number; // in the file, from 1 on
   std::string text;
 };
 
+// Makes points of decimal commas: of a comma before a digit, behind one or at the beginning of a number.
+inline void change_commas(Text_row& row)
+{
+  std::string& text = row.text;
+  for(std::string_view value : values_of(text, text.find(';') == text.npos ? ' ' : ';'))
+    if(value.find('.') != value.npos && value.find_first_not_of("0123456789+-.,eE") == value.npos &&
+       value.find_first_of("0123456789") != value.npos && !is_comment(text))
+      fail_at_row(row.number, "has '", value.substr(0, 40),
+                  "': with --decimal-comma, numbers have a comma, and neither a point nor separators of thousands");
+  for(std::size_t i = 0; i + 1 < text.size(); ++i)
+    if(text[i] == ',' && is_digit(text[i + 1]) &&
+       (i == 0 || is_digit(text[i - 1]) || is_blank(text[i - 1]) ||
+        std::string_view(";+-").find(text[i - 1]) != std::string_view::npos))
+      text[i] = '.';
+}
+
 // The lines of a text, without their ends. A carriage return is part of an end only before a line feed, or where the
 // file ends: elsewhere it would make one line of many.
 class Text_lines {
 public:
-  explicit Text_lines(Input_buffer& in) : in(&in) { this->in.exceptions(std::ios::badbit); } // of the file
+  explicit Text_lines(Input_buffer& in, bool has_decimal_commas = false)
+    : in(&in), has_decimal_commas(has_decimal_commas)
+  {
+    this->in.exceptions(std::ios::badbit); // of the file
+  }
 
   bool next()
   {
@@ -156,13 +210,16 @@ public:
     return true;
   }
 
-  // The next one that is not empty.
+  // The next one that is not empty, where numbers have decimal points.
   bool next_filled()
   {
-    while(next())
-      if(first_not_blank(row_.text) < row_.text.size())
-        return true;
-    return false;
+    do
+      if(!next())
+        return false;
+    while(first_not_blank(row_.text) == row_.text.size());
+    if(has_decimal_commas)
+      change_commas(row_);
+    return true;
   }
 
   const Text_row& row() const { return row_; }
@@ -173,59 +230,16 @@ private:
     if(row_.text.find('\r') != row_.text.npos)
       fail_at_row(row_.number, carriage_return_alone);
     if(row_.text.size() > longest_line)
-      fail_at_row(row_.number, "has more than " + std::to_string(longest_line) + " bytes, the limit of a line");
+      fail_at_row(row_.number, "has more than ", longest_line, " bytes, the limit of a line");
     if(row_.text.find('\0') != row_.text.npos)
       fail_at_row(row_.number, "has a byte 0, which no text has but one of UTF-16");
   }
 
   std::istream in;
+  bool has_decimal_commas;
   std::vector<char> bytes = std::vector<char>(longest_line + 3);
   Text_row row_ = {0, ""};
 };
-
-// What separates the values of a row: semicolons if it has any, else commas, else blanks. So a row that has several of
-// them is no row of numbers.
-inline char separator_of(std::string_view row)
-{
-  return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' ';
-}
-
-// The values of a row. Between two commas or semicolons there may be an empty one; blanks around them do not count.
-class Table_values {
-public:
-  explicit Table_values(std::string_view row) : Table_values(row, separator_of(row)) {}
-  Table_values(std::string_view row, char separator) : rest(row), separator_(separator) {}
-
-  // False at the end of the row.
-  bool next(std::string_view& value)
-  {
-    rest.remove_prefix(first_not_blank(rest));
-    if(rest.empty())
-      return false;
-    const auto is_end = [this](char c) { return separator_ == ' ' ? is_blank(c) : c == separator_; };
-    const std::size_t size = std::size_t(std::find_if(rest.begin(), rest.end(), is_end) - rest.begin());
-    value = rest.substr(0, size);
-    rest.remove_prefix((std::min)(size + 1, rest.size()));
-    while(!value.empty() && is_blank(value.back()))
-      value.remove_suffix(1);
-    return true;
-  }
-
-  char separator() const { return separator_; }
-
-private:
-  std::string_view rest;
-  char separator_;
-};
-
-inline std::vector<std::string_view> values_of(std::string_view row)
-{
-  std::vector<std::string_view> values;
-  Table_values rest(row);
-  for(std::string_view value; rest.next(value);)
-    values.push_back(value);
-  return values;
-}
 
 // Nothing if the text is no number, or too large for one. An empty value is NaN.
 inline std::optional<double> parse_number(std::string_view text)
@@ -249,73 +263,19 @@ inline std::string advice_on_commas(std::string_view row)
            : "; commas are no part of numbers: write numbers with a decimal point, and without separators of thousands";
 }
 
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-inline bool is_comment(std::string_view row)
-{
-  row.remove_prefix(first_not_blank(row));
-  return row.substr(0, 1) == "#" || row.substr(0, 2) == "//";
-}
-
 // The numbers of a row.
-inline std::vector<double> numbers_of(const Text_row& row, Table_values values)
+inline std::vector<double> numbers_of(const Text_row& row, char separator)
 {
   std::vector<double> numbers;
-  for(std::string_view text; values.next(text);) {
+  for(std::string_view text : values_of(row.text, separator)) {
     const std::optional<double> number = parse_number(text);
     if(!number)
-      fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected" +
-                                (values.separator() == ' ' ? advice_on_commas(row.text) : ""));
+      fail_at_row(row.number, "has '", text.substr(0, 40), "' where a number is expected",
+                  separator == ' ' ? advice_on_commas(row.text) : "");
     numbers.push_back(*number);
   }
   return numbers;
 }
-
-// The rows of a table that are not empty. Where numbers have decimal commas, these become points.
-class Table_rows {
-public:
-  Table_rows(Text_lines& lines, bool has_decimal_commas) : lines(lines), has_decimal_commas(has_decimal_commas) {}
-
-  bool next()
-  {
-    if(!lines.next_filled())
-      return false;
-    if(has_decimal_commas) {
-      changed = lines.row();
-      change();
-    }
-    return true;
-  }
-
-  const Text_row& row() const { return has_decimal_commas ? changed : lines.row(); }
-
-private:
-  static bool is_number(std::string_view value)
-  {
-    return value.find_first_not_of("0123456789+-.,eE") == value.npos && value.find_first_of("0123456789") != value.npos;
-  }
-
-  // A comma before a digit, behind one or at the beginning of a number.
-  void change()
-  {
-    std::string& text = changed.text;
-    Table_values values(text, text.find(';') == text.npos ? ' ' : ';');
-    for(std::string_view value; values.next(value);)
-      if(value.find('.') != value.npos && is_number(value) && !is_comment(text))
-        fail_at_row(changed.number,
-                    "has '" + std::string(value.substr(0, 40)) +
-                      "': with --decimal-comma, numbers have a comma, and neither a point nor separators of thousands");
-    for(std::size_t i = 0; i + 1 < text.size(); ++i)
-      if(text[i] == ',' && is_digit(text[i + 1]) &&
-         (i == 0 || is_digit(text[i - 1]) || is_blank(text[i - 1]) ||
-          std::string_view(";+-").find(text[i - 1]) != std::string_view::npos))
-        text[i] = '.';
-  }
-
-  Text_lines& lines;
-  bool has_decimal_commas;
-  Text_row changed = {0, ""};
-};
 
 } // namespace program
 

@@ -7,6 +7,7 @@
 #define DETECT_PLANES_POINT_SET_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_3.h>
 
 #include <boost/endian/conversion.hpp>
@@ -59,19 +60,12 @@ std::optional<Point_set::Property_map<T>> find_property(const Point_set& points,
 }
 
 // Consecutive points of a cloud.
-class Point_part {
-public:
-  Point_part(const Point_set& points, std::size_t first, std::size_t last)
-    : begin_(points.begin() + std::ptrdiff_t(first)), end_(points.begin() + std::ptrdiff_t(last))
-  {}
+using Point_part = CGAL::Iterator_range<Point_set::const_iterator>;
 
-  Point_set::const_iterator begin() const { return begin_; }
-  Point_set::const_iterator end() const { return end_; }
-  std::size_t size() const { return std::size_t(end_ - begin_); }
-
-private:
-  Point_set::const_iterator begin_, end_;
-};
+inline Point_part part_of(const Point_set& points, std::size_t first, std::size_t last)
+{
+  return {points.begin() + std::ptrdiff_t(first), points.begin() + std::ptrdiff_t(last)};
+}
 
 inline bool is_finite(const Kernel::Point_3& p)
 {

@@ -21,40 +21,26 @@ std::unique_ptr<Byte_source> open_bytes(const std::string& path)
 
 namespace {
 
-std::string known_inputs()
-{
-  return std::string(".ply, .las, ") + (has_laszip ? ".laz, " : "") + ".pcd, .off, .ptx, " + table_names() +
-         (has_gzip ? ", or one of these with .gz" : "");
-}
-
-// The format that the first bytes tell, or nothing.
-std::string format_of_bytes(const std::string& path)
-{
-  std::string bytes(8, '\0');
-  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
-  for(const auto& [beginning, format] : {std::pair<const char*, const char*>("ply\n", "ply"),
-                                         {"ply\r", "ply"},
-                                         {"LASF", "las"},
-                                         {"# .PCD", "pcd"},
-                                         {"OFF", "off"}})
-    if(bytes.compare(0, std::strlen(beginning), beginning) == 0)
-      return format;
-  return "";
-}
-
 void check_format(const std::string& path, const std::string& given)
 {
   const std::string extension = input_format(path, given);
   if(is_input_extension(extension))
     return;
-  if(extension == ".e57" || extension == ".rcp")
+  if(is_in(extension, {".e57", ".rcp"}))
     throw_error("files ", extension, " are not read; convert to LAS, PLY or PCD, for example with ",
                 "CloudCompare or PDAL");
-  if(extension == ".stl" || extension == ".obj" || extension == ".glb")
+  if(is_in(extension, {".stl", ".obj", ".glb"}))
     throw_error("meshes ", extension, " are not read; convert to PLY or OFF, and give --sample N, ",
                 "the number of points on its faces");
-  const std::string format = format_of_bytes(path);
-  throw_error("unknown format '", extension, "', expected ", known_inputs(), "; --format ",
+  std::string bytes(8, '\0'), format; // that the first bytes tell, or nothing
+  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
+  const std::pair<const char*, const char*> beginnings[] = {
+    {"ply\n", "ply"}, {"ply\r", "ply"}, {"LASF", "las"}, {"# .PCD", "pcd"}, {"OFF", "off"}};
+  for(const auto& [beginning, name] : beginnings)
+    if(bytes.compare(0, std::strlen(beginning), beginning) == 0)
+      format = name;
+  throw_error("unknown format '", extension, "', expected .ply, .las, ", has_laszip ? ".laz, " : "",
+              ".pcd, .off, .ptx, ", table_names(), has_gzip ? ", or one of these with .gz" : "", "; --format ",
               (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
 }
 
@@ -94,15 +80,6 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   read_off(*file, settings, points, notes);
 }
 
-// What to say of a file without points that are taken.
-std::string why_no_points(const Input_settings& settings, const Input_notes& notes)
-{
-  if(notes.box.xmin() <= notes.box.xmax())
-    return "has no points in the box of --crop" + std::string(settings.classes.empty() ? "" : " of the --classes") +
-           ": its own is " + text_of(notes.box);
-  return settings.classes.empty() ? "has no points" : "has no points of the --classes";
-}
-
 void check_points(Point_set& points)
 {
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
@@ -113,53 +90,30 @@ void check_points(Point_set& points)
     points.remove_normal_map();
 }
 
-// Calls f with the bit of each attribute, its word, whether the points have it, and what adds or removes it.
+Attributes attributes_of(const Point_set& points)
+{
+  return (points.has_normal_map() ? normals_bit : 0) |
+         (points.has_property_map<Input_color>(color_name) ? colors_bit : 0) |
+         (points.has_property_map<float>(intensity_name) ? intensity_bit : 0) |
+         (points.has_property_map<std::uint8_t>(classification_name) ? classification_bit : 0);
+}
+
+template <class T>
+void keep_property(bool is_kept, const char* name, Point_set& points)
+{
+  if(is_kept && points.empty())
+    points.add_property_map<T>(name);
+  if(auto map = find_property<T>(points, name); map && !is_kept)
+    points.remove_property_map(*map);
+}
+
+// f(), whose errors get the name of the file. What a signal has cut off is no fault of the file.
 template <class F>
-void for_each_attribute(Point_set& points, F f)
-{
-  const auto visit_property = [&](Attributes bit, const char* word, const char* name, auto value) {
-    using T = decltype(value);
-    f(bit, word, points.has_property_map<T>(name), [&points, name](bool is_kept) {
-      if(is_kept) {
-        points.add_property_map<T>(name);
-      } else {
-        auto map = find_property<T>(points, name);
-        points.remove_property_map(*map);
-      }
-    });
-  };
-  f(normals_bit, "normals", points.has_normal_map(), [&points](bool is_kept) {
-    if(is_kept)
-      points.add_normal_map();
-    else
-      points.remove_normal_map();
-  });
-  visit_property(colors_bit, "colors", color_name, Input_color());
-  visit_property(intensity_bit, "intensity", intensity_name, float());
-  visit_property(classification_bit, "classification", classification_name, std::uint8_t());
-}
-
-Attributes attributes_of(Point_set& points)
-{
-  Attributes attributes = 0;
-  for_each_attribute(points,
-                     [&](Attributes bit, const char*, bool is_there, auto) { attributes |= is_there ? bit : 0; });
-  return attributes;
-}
-
-// Both have the same attributes then.
-void reduce_attributes(Point_set& more, Input_cloud& cloud)
-{
-  const Attributes attributes = attributes_of(more);
-  cloud.of_all &= attributes;
-  cloud.of_some |= attributes;
-  keep_attributes(cloud.of_all, more);
-  keep_attributes(cloud.of_all, cloud.points);
-}
-
-[[noreturn]] void rethrow_with(const std::string& path, const std::runtime_error& e)
-{
-  check_signals(); // what a signal has cut off is no fault of the file
+void name_file(const std::string& path, const F& f)
+try {
+  f();
+} catch(const std::runtime_error& e) {
+  check_signals();
   throw_error(path, ": ", e.what());
 }
 
@@ -168,54 +122,50 @@ void reduce_attributes(Point_set& more, Input_cloud& cloud)
 std::string names_of(Attributes attributes)
 {
   std::string names;
-  Point_set none;
-  for_each_attribute(none, [&](Attributes bit, const char* word, bool, auto) {
+  for(const auto& [bit, word] :
+      {std::pair(normals_bit, "normals"), std::pair(colors_bit, "colors"), std::pair(intensity_bit, "intensity"),
+       std::pair(classification_bit, "classification")})
     if((attributes & bit) != 0)
       names += (names.empty() ? "" : ", ") + std::string(word);
-  });
   return names;
 }
 
 void keep_attributes(Attributes kept, Point_set& points)
 {
-  for_each_attribute(points, [&](Attributes bit, const char*, bool is_there, auto set) {
-    const bool is_kept = (kept & bit) != 0;
-    if(is_kept != is_there && (is_there || points.empty()))
-      set(is_kept);
-  });
+  if((kept & normals_bit) == 0)
+    points.remove_normal_map();
+  else if(points.empty())
+    points.add_normal_map();
+  keep_property<Input_color>((kept & colors_bit) != 0, color_name, points);
+  keep_property<float>((kept & intensity_bit) != 0, intensity_name, points);
+  keep_property<std::uint8_t>((kept & classification_bit) != 0, classification_name, points);
 }
 
 void read_cloud(const std::string& path, const Input_settings& settings, bool may_be_empty, Point_set& points,
                 Input_notes& notes)
 {
-  try {
+  name_file(path, [&] {
     check_file(path, settings);
     read_format(path, settings, points, notes);
     check_signals();
     if(!points.empty())
       return check_points(points);
-    const std::string message = why_no_points(settings, notes);
+    const bool is_cropped = notes.box.xmin() <= notes.box.xmax();
+    const std::string message = text_of("has no points", is_cropped ? " in the box of --crop" : "",
+                                        settings.classes.empty() ? "" : " of the --classes",
+                                        is_cropped ? ": its own is " + text_of(notes.box) : "");
     if(!may_be_empty)
       throw std::runtime_error(message);
     notes.warnings.push_back(message);
     points = Point_set(); // without properties
-  } catch(const Interrupted&) {
-    throw;
-  } catch(const std::runtime_error& e) {
-    rethrow_with(path, e);
-  }
+  });
 }
 
 void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
                   const Input_settings& settings)
 {
-  for(std::size_t input : chosen) {
-    try {
-      check_file(paths[input], settings);
-    } catch(const std::runtime_error& e) {
-      rethrow_with(paths[input], e);
-    }
-  }
+  for(std::size_t input : chosen)
+    name_file(paths[input], [&] { check_file(paths[input], settings); });
 }
 
 void read_clouds(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
@@ -228,8 +178,12 @@ void read_clouds(const std::vector<std::string>& paths, const std::vector<std::s
     Point_set& points = first == 0 ? cloud.points : next;
     Input_notes notes;
     read_cloud(path, settings, paths.size() > 1, points, notes);
-    if(!points.empty())
-      reduce_attributes(points, cloud);
+    if(!points.empty()) {
+      cloud.of_all &= attributes_of(points);
+      cloud.of_some |= attributes_of(points);
+      for(Point_set* part : {&points, &cloud.points})
+        keep_attributes(cloud.of_all, *part);
+    }
     for(std::string& warning : notes.warnings)
       warning.insert(0, path + ": ");
     if(first > 0)

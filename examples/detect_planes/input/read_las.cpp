@@ -3,7 +3,7 @@
 
 #include "Options.h"
 #include "file_names.h"
-#include "input/las_header.h"
+#include "input/readers.h"
 
 namespace program {
 
@@ -17,38 +17,18 @@ void read_exactly(Input_buffer& in, char* bytes, std::size_t count, const char* 
     throw_error("is truncated: ", what, " is not complete");
 }
 
-Las_frame read_frame(const char* bytes)
-{
-  Las_frame frame;
-  for(std::size_t i = 0; i < 3; ++i) {
-    frame.scale[i] = number_at<double>(bytes + 131 + 8 * i);
-    frame.offset[i] = number_at<double>(bytes + 155 + 8 * i);
-    if(!std::isfinite(frame.scale[i]) || frame.scale[i] == 0 || !std::isfinite(frame.offset[i]))
-      throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
-  }
-  return frame;
-}
-
-void check_point_format(const Las_header& h)
-{
-  if(h.point_format > 10)
-    throw_error("has LAS points of the unknown format ", h.point_format, ", expected 0 to 10");
-  const std::size_t least = las_point_size(h.point_format);
-  if(h.record_length < least)
-    throw_error("has LAS points of ", h.record_length, " bytes, the format ", h.point_format, " needs ", least);
-}
-
 // What the records hold. If that is both, the flag of the header says which to use.
 Projection projection_of(const std::vector<std::string>& records, bool is_declared_wkt)
 {
-  constexpr std::uint16_t wkt = 2112, geotiff_keys = 34735;
-  const auto has = [&records](std::uint16_t id) {
-    return std::any_of(records.begin(), records.end(),
-                       [id](const std::string& r) { return number_at<std::uint16_t>(r.data() + 18) == id; });
-  };
-  if(has(wkt) && (is_declared_wkt || !has(geotiff_keys)))
-    return Projection::wkt;
-  return has(geotiff_keys) ? Projection::geotiff : Projection::none;
+  bool has_wkt = false, has_geotiff_keys = false;
+  for(const std::string& record : records) {
+    const std::uint16_t id = number_at<std::uint16_t>(record.data() + 18);
+    has_wkt = has_wkt || id == 2112;
+    has_geotiff_keys = has_geotiff_keys || id == 34735;
+  }
+  return has_wkt && (is_declared_wkt || !has_geotiff_keys) ? Projection::wkt
+         : has_geotiff_keys                                ? Projection::geotiff
+                                                           : Projection::none;
 }
 
 // Whether a record of the header describes the extra bytes of the points.
@@ -58,27 +38,19 @@ bool describes_bytes(const std::string& record)
          number_at<std::uint16_t>(record.data() + 18) == 4;
 }
 
-// The types are integers of 1, 2, 4 and 8 bytes, each without and with a sign, float and double; in older files two and
-// three numbers of these, too. Bytes of no type are as many as the options say.
-std::size_t size_of_dimension(std::size_t type, std::size_t options)
-{
-  constexpr std::size_t sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  if(type == 0 || type > 30)
-    return type == 0 ? options : 0;
-  return ((type - 1) / 10 + 1) * sizes[(type - 1) % 10];
-}
-
-// The extra bytes of points, as far as the record describes them.
+// The extra bytes of points, as far as the record describes them. The types are integers of 1, 2, 4 and 8 bytes, each
+// without and with a sign, float and double; in older files two and three numbers of these, too. Bytes of no type are as
+// many as the options say.
 std::vector<Las_dimension> dimensions_of(const std::string& record, const Las_header& h)
 {
-  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16;
+  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16, sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   std::vector<Las_dimension> dimensions;
   std::size_t position = las_point_size(h.point_format);
   for(std::size_t first = record_header; first + description <= record.size(); first += description) {
     const char* const d = record.data() + first;
     const std::size_t type = std::uint8_t(d[2]), options = std::uint8_t(d[3]);
-    const std::size_t size = size_of_dimension(type, options);
-    if(size == 0 || position + size > h.record_length)
+    const std::size_t size = type == 0 ? options : (type - 1) / 10 * sizes[(type - 1) % 10] + sizes[(type - 1) % 10];
+    if(type > 30 || size == 0 || position + size > h.record_length)
       break;
     if(type >= 1 && type <= 10)
       dimensions.push_back({std::string(d + 4, std::find(d + 4, d + 36, '\0')), "UIUIUIUIFF"[type - 1], size, position,
@@ -147,8 +119,17 @@ Las_header read_las_header(Input_buffer& in)
   h.point_format = bytes[104] & 0x3F;
   h.record_length = number_at<std::uint16_t>(bytes + 105);
   h.count = number_at<std::uint32_t>(bytes + 107);
-  h.frame = read_frame(bytes);
-  check_point_format(h);
+  for(std::size_t i = 0; i < 3; ++i) {
+    h.frame.scale[i] = number_at<double>(bytes + 131 + 8 * i);
+    h.frame.offset[i] = number_at<double>(bytes + 155 + 8 * i);
+    if(!std::isfinite(h.frame.scale[i]) || h.frame.scale[i] == 0 || !std::isfinite(h.frame.offset[i]))
+      throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
+  }
+  if(h.point_format > 10)
+    throw_error("has LAS points of the unknown format ", h.point_format, ", expected 0 to 10");
+  const std::size_t least = las_point_size(h.point_format);
+  if(h.record_length < least)
+    throw_error("has LAS points of ", h.record_length, " bytes, the format ", h.point_format, " needs ", least);
   if(h.minor_version == 4 && header_size >= header_1_4) {
     read_exactly(in, bytes + smallest_header, header_1_4 - smallest_header, "the LAS header");
     const std::uint64_t count = number_at<std::uint64_t>(bytes + 247);
@@ -197,23 +178,13 @@ void read_records(Input_buffer& in, const Las_header& h, const Las_dimension* to
 {
   std::vector<char> record(h.record_length);
   for(std::uint64_t i = 0; i < h.count; ++i) {
-    if(in.sgetn(record.data(), h.record_length) != h.record_length) {
-      check_signals();
-      throw_error("unreadable after point ", i, " of ", h.count);
-    }
+    if(in.sgetn(record.data(), h.record_length) != h.record_length)
+      fail_after(i, h.count);
     Point_row row = point_of_record(record.data(), h);
     if(tolerance != nullptr)
       row.tolerance = value_of(record.data() + tolerance->position, *tolerance);
     builder.add(row);
   }
-}
-
-void check_room(Input_buffer& in, const Las_header& h)
-{
-  const std::uint64_t bytes = in.position() + in.left();
-  const std::uint64_t room = h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0;
-  if(room < h.count)
-    throw_error("is truncated: ", h.count, " points announced, room for ", room);
 }
 
 } // namespace
@@ -234,7 +205,8 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
       return read_laz_points(path, h, tolerance, builder);
     throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
   }
-  check_room(in, h);
+  const std::uint64_t bytes = in.position() + in.left();
+  check_room(h.count, h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0);
   in.skip(h.first_point - in.position());
   if(settings.classes.empty() && !settings.crop)
     points.reserve(std::size_t(h.count));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/Laszip.h"
-#include "input/las_header.h"
+#include "input/readers.h"
 
 namespace program {
 

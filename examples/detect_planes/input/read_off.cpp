@@ -60,17 +60,16 @@ bool parse_point(const Text_row& row, bool has_normal, Point_row& point)
 // The corners of a face, whose row begins with their number. A color may follow them.
 std::vector<double> corners_of(std::size_t face, const std::string& row)
 {
-  Table_values values(row, ' ');
-  std::string_view text;
-  const auto next = [&] {
-    const std::optional<double> number = values.next(text) ? parse_number(text) : std::nullopt;
+  const Cells cells = values_of(row, ' ');
+  const auto number_at = [&](std::size_t i) {
+    const std::optional<double> number = i < cells.size() ? parse_number(cells[i]) : std::nullopt;
     if(!number)
       throw_error("face ", face, " is not the number of its corners, and the corners");
     return *number;
   };
   std::vector<double> corners;
-  for(double count = next(); double(corners.size()) < count;)
-    corners.push_back(next());
+  while(double(corners.size()) < number_at(0))
+    corners.push_back(number_at(corners.size() + 1));
   return corners;
 }
 
@@ -89,7 +88,7 @@ void read_off(Byte_source& file, const Input_settings& settings, Point_set& poin
     if(!next_row(lines))
       throw_error("is truncated: ", head.points, " points announced, ", i, " rows found");
     if(!parse_point(lines.row(), head.has_normals, row))
-      throw_error("unreadable after point ", i, " of ", head.points);
+      fail_after(i, head.points);
     builder.add(row);
   }
   const bool is_sampled = settings.sample.value_or(0) > 0;

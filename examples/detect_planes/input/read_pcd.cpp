@@ -61,10 +61,10 @@ struct Pcd_header {
   std::vector<std::string> viewpoint; // the words of that line; none without one
 
   // The first of that name, if it has one value.
-  const Field* find(const std::string& name) const
+  std::size_t find(const std::string& name) const
   {
     const auto f = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
-    return f != fields.end() && f->count == 1 ? &*f : nullptr;
+    return f != fields.end() && f->count == 1 ? std::size_t(f - fields.begin()) : nowhere;
   }
 
   std::size_t row_size() const
@@ -76,12 +76,6 @@ struct Pcd_header {
 
 // The words of each line, before they are put together.
 using Lines = std::map<std::string, std::vector<std::string>>;
-
-std::vector<std::string> words_of(const std::string& line)
-{
-  std::istringstream in(line);
-  return {std::istream_iterator<std::string>(in), {}};
-}
 
 std::uint64_t parse_number_of(const std::string& key, const std::string& word)
 {
@@ -107,9 +101,8 @@ Pcd_header::Field make_field(Lines& lines, std::size_t i)
   f.size = std::size_t(parse_number_of("SIZE", lines["SIZE"][i]));
   f.type = type[0];
   f.count = lines["COUNT"].empty() ? 1 : std::size_t(parse_number_of("COUNT", lines["COUNT"][i]));
-  const bool is_integer = f.type == 'I' || f.type == 'U';
-  const bool is_known = is_integer ? f.size == 1 || f.size == 2 || f.size == 4 || f.size == 8
-                                   : f.type == 'F' && (f.size == 4 || f.size == 8);
+  const bool is_known = ((f.type == 'I' || f.type == 'U') && (f.size == 1 || f.size == 2)) ||
+                        ((f.type == 'I' || f.type == 'U' || f.type == 'F') && (f.size == 4 || f.size == 8));
   constexpr std::size_t most = 65536;
   if(!is_known || type.size() != 1 || f.count > most)
     throw_error("the PCD field '", f.name, "' has the type ", type, " of ", f.size, " bytes, ", f.count,
@@ -131,7 +124,7 @@ Pcd_header join(Lines& lines)
     header.fields.push_back(f);
   }
   for(const char* name : {"x", "y", "z"})
-    if(header.find(name) == nullptr)
+    if(header.find(name) == nowhere)
       throw_error("the points of the PCD file have no field '", name, "'");
   const std::uint64_t width = number_of_line(lines, "WIDTH", number_of_line(lines, "POINTS", 0));
   const std::uint64_t height = number_of_line(lines, "HEIGHT", 1);
@@ -151,7 +144,8 @@ Pcd_header read_pcd_header(Text_lines& text)
 {
   Lines lines;
   while(text.next()) {
-    std::vector<std::string> words = words_of(text.row().text);
+    std::istringstream line(text.row().text);
+    std::vector<std::string> words(std::istream_iterator<std::string>(line), {});
     if(words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -169,61 +163,42 @@ Pcd_header read_pcd_header(Text_lines& text)
 
 using Field = Pcd_header::Field;
 
-// The fields that are used, null where the file has none.
+// The fields that are used.
 struct Used_fields {
-  std::array<const Field*, std::size_t(Column::none)> of_column;
-  const Field* color;
+  const Pcd_header& header;
+  Column_places places;
+  const Field* color; // or null
 };
 
 Used_fields used_fields(const Pcd_header& h, const std::string& tolerance)
 {
-  Used_fields used = {{h.find("x"), h.find("y"), h.find("z"), h.find("normal_x"), h.find("normal_y"),
-                       h.find("normal_z"), nullptr, nullptr, nullptr, h.find("intensity"), h.find("classification")},
-                      h.find("rgb")};
-  if(used.color == nullptr)
-    used.color = h.find("rgba");
-  if(used.color != nullptr && used.color->size != 4)
-    used.color = nullptr;
+  const char* const names_of_columns[] = {"x", "y", "z", "normal_x",  "normal_y",      "normal_z",
+                                          "",  "",  "",  "intensity", "classification"};
+  const std::size_t color = h.find(h.find("rgb") != nowhere ? "rgb" : "rgba");
+  Used_fields used = {h, {}, color != nowhere && h.fields[color].size == 4 ? &h.fields[color] : nullptr};
+  used.places.fill(nowhere);
+  std::transform(std::begin(names_of_columns), std::end(names_of_columns), used.places.begin(),
+                 [&](const char* name) { return h.find(name); });
   std::vector<std::string> names;
   for(const Field& f : h.fields)
     names.push_back(f.count == 1 ? f.name : "");
   if(!tolerance.empty())
-    used.of_column[std::size_t(Column::tolerance)] = &h.fields[find_name(names, tolerance, "field")];
+    used.places[std::size_t(Column::tolerance)] = find_name(names, tolerance, "field");
   return used;
-}
-
-Input_color unpacked(std::uint32_t rgb)
-{
-  return {wide_channel(std::uint8_t(rgb >> 16)), wide_channel(std::uint8_t(rgb >> 8)), wide_channel(std::uint8_t(rgb))};
 }
 
 // `value` gives the number in a field, `bits` the four bytes of a color.
 template <class Value, class Bits>
 Point_row make_row(const Used_fields& used, Value value, Bits bits)
 {
-  Row_values values = {};
-  for(std::size_t c = 0; c < values.size(); ++c)
-    if(used.of_column[c] != nullptr)
-      values[c] = value(*used.of_column[c]);
-  Point_row row = row_of(values);
-  if(used.color != nullptr)
-    row.color = unpacked(bits(*used.color));
+  Point_row row = row_of(values_at(used.places, [&](std::size_t place) { return value(used.header.fields[place]); }));
+  const std::uint32_t rgb = used.color != nullptr ? bits(*used.color) : 0;
+  for(std::size_t c = 0; c < 3; ++c)
+    row.color[c] = wide_channel(std::uint8_t(rgb >> (16 - 8 * c)));
   return row;
 }
 
-void check_room(std::uint64_t points, std::uint64_t room)
-{
-  if(points > room)
-    throw_error("is truncated: ", points, " points announced, room for ", room);
-}
-
-[[noreturn]] void fail_after(std::uint64_t point, std::uint64_t points)
-{
-  check_signals();
-  throw_error("unreadable after point ", point, " of ", points);
-}
-
-// `start_of(field, i)` are the bytes of a field of point i.
+// `start_of(field)` are its bytes.
 template <class Start_of>
 Point_row row_of_bytes(const Used_fields& used, Start_of start_of)
 {
@@ -266,8 +241,7 @@ std::string decompress(Input_buffer& in, const Pcd_header& h)
 void read_compressed(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
 {
   const std::string bytes = decompress(in, h);
-  const std::size_t n = std::size_t(h.points);
-  for(std::size_t i = 0; i < n; ++i)
+  for(std::size_t i = 0, n = std::size_t(h.points); i < n; ++i)
     builder.add(
       row_of_bytes(used, [&](const Field& f) { return bytes.data() + f.position * n + i * f.size * f.count; }));
 }
@@ -289,11 +263,11 @@ void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, const U
   for(std::uint64_t i = 0; i < h.points; ++i) {
     if(!lines.next_filled())
       fail_after(i, h.points);
-    const std::vector<double> values = numbers_of(lines.row(), Table_values(lines.row().text, ' '));
-    if(values.size() != count)
-      fail_at_row(lines.row().number, values.size() > count
-                                        ? text_of("has more than ", count, " values")
-                                        : text_of("has ", values.size(), " values instead of ", count));
+    const std::vector<double> values = numbers_of(lines.row(), ' ');
+    if(values.size() > count)
+      fail_at_row(lines.row().number, "has more than ", count, " values");
+    if(values.size() < count)
+      fail_at_row(lines.row().number, "has ", values.size(), " values instead of ", count);
     builder.add(make_row(
       used, [&](const Field& f) { return values[f.first]; },
       [&](const Field& f) { return color_bits(values[f.first], f); }));
@@ -326,10 +300,8 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   Text_lines lines(in);
   const Pcd_header h = read_pcd_header(lines);
   const Used_fields used = used_fields(h, settings.tolerance);
-  Fields fields = fields_of([&](Column c) { return used.of_column[std::size_t(c)] != nullptr; });
+  Fields fields = fields_of(used.places, settings, "field");
   fields.color = used.color != nullptr;
-  if(!settings.classes.empty() && !fields.classification)
-    throw std::runtime_error("has no field 'classification', which --classes needs");
   note_viewpoint(h.viewpoint, fields.normal, notes);
   Cloud_builder builder(points, fields, settings, notes);
   if(h.data == "binary")

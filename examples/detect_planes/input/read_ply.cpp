@@ -3,8 +3,8 @@
 
 #include "input/readers.h"
 
-#include <cctype>
-#include <locale>
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <map>
 #include <set>
 
@@ -45,27 +45,14 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 
-  bool has_points() const { return name == "vertex" || name == "vertices"; }
-  bool has_faces() const { return count > 0 && (name == "face" || name == "faces" || name == "tristrips"); }
-  bool has_list() const
-  {
-    return std::any_of(properties.begin(), properties.end(), [](const Property& p) { return p.count.has_value(); });
-  }
+  bool has_points() const { return is_in(name, {"vertex", "vertices"}); }
+  bool has_faces() const { return count > 0 && is_in(name, {"face", "faces", "tristrips"}); }
 };
 
 struct Header {
   std::string format;
   std::vector<Element> elements;
 };
-
-Element parse_element(std::istream& words)
-{
-  std::string name;
-  std::int64_t count = -1;
-  if(!(words >> name >> count) || count < 0)
-    throw_error("the PLY header has no number of items for the element '", name, "'");
-  return {name, std::uint64_t(count), {}};
-}
 
 Property parse_property(std::istream& words)
 {
@@ -106,7 +93,11 @@ Header read_header(Text_lines& lines)
       if(!is_in(header.format, {"ascii", "binary_little_endian", "binary_big_endian"}))
         throw_error("unknown format '", header.format, "' of PLY");
     } else if(keyword == "element") {
-      header.elements.push_back(parse_element(words));
+      std::string name;
+      std::int64_t count = -1;
+      if(!(words >> name >> count) || count < 0)
+        throw_error("the PLY header has no number of items for the element '", name, "'");
+      header.elements.push_back({name, std::uint64_t(count), {}});
     } else if(keyword == "property") {
       if(header.elements.empty())
         throw std::runtime_error("the PLY header has an incomplete property");
@@ -118,21 +109,16 @@ Header read_header(Text_lines& lines)
   throw std::runtime_error("the PLY header has no end");
 }
 
-// The place of a number among the properties of an element, or their count: the one of that name, else the first one
-// whose name differs by case.
+// The place of a number among the properties of an element, or `nowhere`: the one of that name, else the first one whose
+// name differs by case.
 std::size_t find_number(const Element& element, const std::string& name)
 {
-  const auto find = [&](auto is_name) {
-    const auto found = std::find_if(element.properties.begin(), element.properties.end(),
-                                    [&](const Property& p) { return !p.count && is_name(p.name); });
-    return std::size_t(found - element.properties.begin());
-  };
-  const auto is_same = [&name](const std::string& other) {
-    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
-                      [](unsigned char a, unsigned char b) { return a == std::tolower(b); });
-  };
-  const std::size_t exact = find([&name](const std::string& other) { return other == name; });
-  return exact < element.properties.size() ? exact : find(is_same);
+  for(bool is_exact : {true, false})
+    for(std::size_t i = 0; i < element.properties.size(); ++i)
+      if(const Property& p = element.properties[i];
+         !p.count && (is_exact ? p.name == name : boost::iequals(p.name, name, std::locale::classic())))
+        return i;
+  return nowhere;
 }
 
 // The element of the points.
@@ -149,7 +135,7 @@ const Element& points_of(const Header& header)
     if(!names.insert(p.name).second)
       throw_error("the points of the PLY file have two properties '", p.name, "'");
   for(const char* name : {"x", "y", "z"})
-    if(find_number(*points, name) == points->properties.size())
+    if(find_number(*points, name) == nowhere)
       throw_error("the points of the PLY file have no property '", name, "'");
   return *points;
 }
@@ -192,8 +178,10 @@ public:
   Rows(Input_buffer& in, const std::string& format, const Element& element)
     : in(in), element(element), is_ascii(format == "ascii"), is_big(format == "binary_big_endian")
   {
-    for(const Property& p : element.properties)
+    for(const Property& p : element.properties) {
       least_size += is_ascii ? 2 : p.count.value_or(p.type).size;
+      have_one_size = have_one_size && !is_ascii && !p.count;
+    }
     if(least_size == 0)
       return;
     // The last row of a text need not have an end.
@@ -206,64 +194,59 @@ public:
   // Passes over all of them.
   void skip()
   {
-    if(!is_ascii && !element.has_list())
+    if(have_one_size)
       in.skip(least_size * element.count);
     else
       while(least_size > 0 && row < element.count)
-        read(nullptr, element.properties.size(), unwanted);
+        next(nowhere, false);
   }
 
-  // A number of each property: of a list that of its items, which `list` gets where it is wanted.
-  void next(std::vector<double>& numbers, std::size_t wanted_list, std::vector<double>& list)
-  {
-    numbers.resize(element.properties.size());
-    read(numbers.data(), wanted_list, list);
-  }
-
-  void next(std::vector<double>& numbers) { next(numbers, element.properties.size(), unwanted); }
-
-private:
-  void read(double* numbers, std::size_t wanted_list, std::vector<double>& list)
+  // Reads the numbers of the next row, and the items of one list, if they are wanted.
+  void next(std::size_t wanted_list = nowhere, bool is_wanted = true)
   {
     ++row;
-    for(std::size_t i = 0; i < element.properties.size(); ++i) {
+    numbers.resize(element.properties.size());
+    for(std::size_t i = 0; i < numbers.size(); ++i) {
       const Property& p = element.properties[i];
       const std::uint64_t count = p.count ? read_count(p) : 1;
-      std::vector<double>& items = i == wanted_list ? list : unwanted;
-      if(!is_ascii && numbers == nullptr) {
+      if(!is_ascii && !is_wanted) {
         check_left(count * p.type.size);
         in.skip(count * p.type.size);
         continue;
       }
-      items.resize(i == wanted_list ? std::size_t(count) : 1);
+      if(i == wanted_list)
+        list.resize(std::size_t(count));
       for(std::uint64_t k = 0; k < count; ++k) {
-        const double x = is_ascii ? read_word(p, numbers != nullptr) : read_bytes(p.type);
-        items[i == wanted_list ? std::size_t(k) : 0] = x;
+        numbers[i] = is_ascii ? read_word(p, is_wanted) : read_bytes(p.type);
+        if(i == wanted_list)
+          list[std::size_t(k)] = numbers[i];
       }
-      if(numbers != nullptr)
-        numbers[i] = p.count ? double(count) : items[0];
+      if(p.count)
+        numbers[i] = double(count);
     }
     if(is_ascii && !is_end_of_line())
       throw_error(place(), " has more values than the header says (add the property that is missing there)");
   }
 
+  std::vector<double> numbers; // one of each property: of a list that of its items
+  std::vector<double> list;    // the items of the wanted one
+
+private:
   std::uint64_t read_count(const Property& p)
   {
-    const std::uint64_t count = is_ascii ? read_text_count() : std::uint64_t(read_bytes({'U', p.count->size}));
+    std::uint64_t count = 0;
+    if(is_ascii) {
+      read_word(20);
+      const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
+      if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
+        throw_error(place(), " has '", word, "' where the number of items of a list is expected");
+    } else {
+      count = std::uint64_t(read_bytes({'U', p.count->size}));
+    }
     const std::uint64_t room = is_ascii ? in.left() / 2 + 1 : in.left() / p.type.size;
     if(count > p.count->largest() || count > room)
       throw_error(place(), " has ", count, " items in the list '", p.name, "', room for ",
                   (std::min)(room, p.count->largest()), " at most");
-    return count;
-  }
-
-  std::uint64_t read_text_count()
-  {
-    read_word(20);
-    std::uint64_t count = 0;
-    const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
-    if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
-      throw_error(place(), " has '", word, "' where the number of items of a list is expected");
     return count;
   }
 
@@ -347,12 +330,11 @@ private:
   static constexpr int eof = std::streambuf::traits_type::eof();
   Input_buffer& in;
   const Element& element;
-  bool is_ascii, is_big;
+  bool is_ascii, is_big, have_one_size = true;
   std::uint64_t least_size = 0; // of a row
   std::uint64_t row = 0;        // from 1 on
   std::size_t length = 0;       // of the line, or of the number, as far as it is read
   std::string word;
-  std::vector<double> unwanted;
 };
 
 // Behind the last element.
@@ -370,110 +352,63 @@ void check_end(Input_buffer& in, bool is_ascii)
 // ---
 
 // The property that has each of the columns.
-class Columns {
-public:
-  Columns(const Element& points, const std::string& tolerance) : none(points.properties.size())
-  {
-    places.fill(none);
-    for(Column c : {Column::x, Column::y, Column::z, Column::nx, Column::ny, Column::nz})
-      place(c) = find_number(points, name_of(c));
-    std::vector<std::string> names; // of those that are neither coordinates nor normals
-    for(std::size_t i = 0; i < none; ++i) {
-      const bool is_other = !points.properties[i].count && std::find(places.begin(), places.end(), i) == places.end();
-      names.push_back(is_other ? points.properties[i].name : "");
-    }
-    for(std::size_t i = 0; i < none; ++i)
-      if(const Column c = column_of_name(names[i]); c >= Column::red && c != Column::none && !has(c))
-        place(c) = i;
-    if(!tolerance.empty())
-      place(Column::tolerance) = find_name(names, tolerance, "property");
+Column_places places_of_columns(const Element& points, const std::string& tolerance)
+{
+  Column_places places;
+  places.fill(nowhere);
+  for(std::size_t c = 0; c < std::size_t(Column::red); ++c)
+    places[c] = find_number(points, name_of(Column(c)));
+  std::vector<std::string> names; // of those that are neither coordinates nor normals
+  for(std::size_t i = 0; i < points.properties.size(); ++i) {
+    const bool is_other = !points.properties[i].count && std::find(places.begin(), places.end(), i) == places.end();
+    names.push_back(is_other ? points.properties[i].name : "");
   }
+  for(std::size_t i = 0; i < names.size(); ++i)
+    if(const Column c = column_of_name(names[i]);
+       c >= Column::red && c != Column::none && places[std::size_t(c)] == nowhere)
+      places[std::size_t(c)] = i;
+  if(!tolerance.empty())
+    places[std::size_t(Column::tolerance)] = find_name(names, tolerance, "property");
+  return places;
+}
 
-  bool has(Column c) const { return places[std::size_t(c)] < none; }
-
-  // Those of the properties, 0 where there is none.
-  Row_values values(const std::vector<double>& numbers) const
-  {
-    Row_values values = {};
-    for(std::size_t c = 0; c < values.size(); ++c)
-      if(places[c] < none)
-        values[c] = numbers[places[c]];
-    return values;
-  }
-
-private:
-  std::size_t& place(Column c) { return places[std::size_t(c)]; }
-
-  std::size_t none;
-  std::array<std::size_t, std::size_t(Column::none)> places;
-};
-
-// Channels of 8 bits, of 16 bits, or real ones from 0 to 1: all points tell which.
-class Colors {
-public:
-  void look_at(const std::array<double, 3>& color)
-  {
-    for(double x : color) {
-      largest = (std::max)(largest, x);
-      is_integer = is_integer && x == std::floor(x);
-    }
-  }
-
-  void add(const std::array<double, 3>& color) { colors.push_back(color); }
-
-  Input_color operator[](std::size_t i) const
-  {
-    const double unit = !is_integer && largest <= 1 ? 65535 : largest <= 255 ? 257 : 1;
-    Input_color color;
-    for(std::size_t c = 0; c < 3; ++c)
-      color[c] = clamped<std::uint16_t>(unit * colors[i][c]);
-    return color;
-  }
-
-private:
-  std::vector<std::array<double, 3>> colors;
-  double largest = 0;
-  bool is_integer = true;
-};
-
+// Colors have channels of 8 bits, of 16 bits, or real ones from 0 to 1: all points tell which.
 void read_points(Rows& rows, const Element& element, const Input_settings& settings, Point_set& points,
                  Input_notes& notes)
 {
-  const Columns columns(element, settings.tolerance);
-  const Fields fields = fields_of([&](Column c) { return columns.has(c); });
-  if(!settings.classes.empty() && !fields.classification)
-    throw std::runtime_error("has no property 'classification', which --classes needs");
-  Cloud_builder builder(points, fields, settings, notes);
-  Colors colors;
-  std::vector<double> numbers;
+  const Column_places places = places_of_columns(element, settings.tolerance);
+  Cloud_builder builder(points, fields_of(places, settings, "property"), settings, notes);
+  const bool has_color = points.has_property_map<Input_color>(color_name);
+  std::vector<double> channels;
+  double largest = 0;
+  bool are_integers = true;
   for(std::uint64_t i = 0; i < element.count; ++i) {
-    rows.next(numbers);
-    const Row_values values = columns.values(numbers);
+    rows.next();
+    const Row_values values = values_at(places, [&](std::size_t property) { return rows.numbers[property]; });
     const bool is_kept = builder.add(row_of(values));
-    if(!fields.color)
-      continue;
-    const double* const first = &values[std::size_t(Column::red)];
-    const std::array<double, 3> color = {first[0], first[1], first[2]};
-    colors.look_at(color);
-    if(is_kept)
-      colors.add(color);
+    for(std::size_t c = std::size_t(Column::red); has_color && c <= std::size_t(Column::blue); ++c) {
+      largest = (std::max)(largest, values[c]);
+      are_integers = are_integers && values[c] == std::floor(values[c]);
+      if(is_kept)
+        channels.push_back(values[c]);
+    }
   }
-  if(fields.color)
-    builder.set_colors(colors);
+  const double unit = !are_integers && largest <= 1 ? 65535 : largest <= 255 ? 257 : 1;
+  if(has_color)
+    builder.set_colors([&, next = channels.begin()]() mutable { return clamped<std::uint16_t>(unit * *next++); });
 }
 
 void add_faces(Rows& rows, const Element& element, Mesh_faces& faces)
 {
   const auto are_corners = [](const Property& p) {
-    return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
+    return p.count && is_in(p.name, {"vertex_indices", "vertex_index"});
   };
   const auto corners = std::find_if(element.properties.begin(), element.properties.end(), are_corners);
   if(element.name == "tristrips" || corners == element.properties.end())
     throw_error("has '", element.name, "' without the corners of single faces; --sample 0 takes its points");
-  std::vector<double> numbers, face;
   for(std::uint64_t i = 0; i < element.count; ++i) {
-    rows.next(numbers, std::size_t(corners - element.properties.begin()), face);
-    faces.add(face);
+    rows.next(std::size_t(corners - element.properties.begin()));
+    faces.add(rows.list);
   }
 }
 

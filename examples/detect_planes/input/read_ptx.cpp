@@ -11,41 +11,38 @@ namespace {
 // scanner.
 struct Ptx_header {
   std::uint64_t count = 0;
-  std::array<std::array<double, 4>, 4> matrix;
+  std::array<std::vector<double>, 4> matrix;
 };
 
-std::vector<double> numbers_of(const Text_row& row) { return numbers_of(row, Table_values(row.text)); }
+std::vector<double> numbers_of(const Text_row& row) { return numbers_of(row, separator_of(row.text)); }
 
 // A row of the header, with that many numbers.
-std::vector<double> read_numbers(Table_rows& rows, std::size_t count)
+std::vector<double> read_numbers(Text_lines& lines, std::size_t count)
 {
-  if(!rows.next())
+  if(!lines.next_filled())
     throw std::runtime_error("is truncated: the header of a scan is not complete");
-  const std::vector<double> numbers = numbers_of(rows.row());
+  const std::vector<double> numbers = numbers_of(lines.row());
   if(numbers.size() != count)
-    fail_at_row(rows.row().number, "of the header of a scan has " + std::to_string(numbers.size()) +
-                                     " numbers instead of " + std::to_string(count));
+    fail_at_row(lines.row().number, "of the header of a scan has ", numbers.size(), " numbers instead of ", count);
   return numbers;
 }
 
 // The numbers of columns and rows, the place and the axes of the scanner, and the matrix. The first row is read.
-Ptx_header read_header(Table_rows& rows)
+Ptx_header read_scan_header(Text_lines& lines)
 {
   constexpr double most = 1e9;
   Ptx_header header;
   const auto count_of = [&](const std::vector<double>& numbers) {
     if(numbers.size() != 1 || !(numbers[0] >= 0 && numbers[0] <= most) || numbers[0] != std::floor(numbers[0]))
-      fail_at_row(rows.row().number, "is not the number of columns or rows of a scan, with which .ptx files begin");
+      fail_at_row(lines.row().number, "is not the number of columns or rows of a scan, with which .ptx files begin");
     return std::uint64_t(numbers[0]);
   };
-  header.count = count_of(numbers_of(rows.row()));
-  header.count *= count_of(read_numbers(rows, 1));
+  header.count = count_of(numbers_of(lines.row()));
+  header.count *= count_of(read_numbers(lines, 1));
   for(int i = 0; i < 4; ++i)
-    read_numbers(rows, 3);
-  for(std::array<double, 4>& row : header.matrix) {
-    const std::vector<double> numbers = read_numbers(rows, 4);
-    std::copy(numbers.begin(), numbers.end(), row.begin());
-  }
+    read_numbers(lines, 3);
+  for(std::vector<double>& row : header.matrix)
+    row = read_numbers(lines, 4);
   return header;
 }
 
@@ -68,26 +65,25 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
 {
   check_no_attributes(settings, "is PTX, whose points");
   Input_buffer in(file);
-  Text_lines lines(in);
-  Table_rows rows(lines, settings.has_decimal_commas);
+  Text_lines lines(in, settings.has_decimal_commas);
   std::optional<Cloud_builder> builder;
   std::size_t scans = 0, size = 0; // of a row
   std::uint64_t empty = 0;         // pixels
-  for(; rows.next(); ++scans) {
-    const Ptx_header header = read_header(rows);
+  for(; lines.next_filled(); ++scans) {
+    const Ptx_header header = read_scan_header(lines);
     if(scans == 0)
       notes.viewpoint = {{header.matrix[3][0], header.matrix[3][1], header.matrix[3][2]}, false};
     for(std::uint64_t i = 0; i < header.count; ++i) {
-      if(!rows.next())
+      if(!lines.next_filled())
         throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
-      const std::vector<double> numbers = numbers_of(rows.row());
+      const std::vector<double> numbers = numbers_of(lines.row());
       if(!builder) {
         size = numbers.size();
         builder.emplace(points, Fields{false, size == 7, true, false, false}, settings, notes);
       }
       if(numbers.size() != size || (size != 4 && size != 7))
-        fail_at_row(rows.row().number, "has " + std::to_string(numbers.size()) +
-                                         " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
+        fail_at_row(lines.row().number, "has ", numbers.size(),
+                    " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
       if(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)
         ++empty;
       else

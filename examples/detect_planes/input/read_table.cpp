@@ -1,12 +1,334 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text tables: what stands before the points, what the columns are, and the points.
 
 #include "input/readers.h"
-#include "input/table_head.h"
 
 namespace program {
 
 namespace {
+
+bool is_integer(std::string_view value)
+{
+  if(!value.empty() && (value.front() == '-' || value.front() == '+'))
+    value.remove_prefix(1);
+  return !value.empty() && std::all_of(value.begin(), value.end(), is_digit);
+}
+
+// As in 1,5,2,5,3,5, or 1,5, 2,5, 3,5 if there are blanks behind every second comma only. No part behind a decimal
+// comma has a sign.
+bool has_pairs_of_integers(std::string_view row, bool has_blanks)
+{
+  const Cells cells = values_of(row);
+  const char* end = nullptr; // of the cell before
+  for(std::size_t c = 0; c < cells.size(); ++c) {
+    const bool is_second = c % 2 == 1, has_blank = c > 0 && cells[c].data() != end + 1;
+    if(!is_integer(cells[c]) || (is_second && !is_digit(cells[c][0])) ||
+       (c > 0 && has_blank != (has_blanks && !is_second)))
+      return false;
+    end = cells[c].data() + cells[c].size();
+  }
+  return separator_of(row) == ',' && cells.size() >= 6 && cells.size() % 2 == 0;
+}
+
+// What tells the columns: --columns, a line of names, or the values.
+enum class Source { option, header, sample };
+
+// What stands before the points, and the first of them.
+struct Table_head {
+  Source source = Source::sample;
+  std::vector<Column> columns;
+  std::vector<std::string> names; // of the columns, where a line has them
+  bool has_skipped_names = false; // which --columns replaces
+  bool counts_rows = false;       // the first column, which is passed over
+  double channel_unit = 1;        // of colors: channels from 0 to 1 become 16 bits
+  bool is_geographic = false;
+  std::optional<std::size_t> count;
+  std::vector<Text_row> rows;
+};
+
+// Says what is wrong with a row, and what may be wrong with its commas.
+template <class... Words>
+[[noreturn]] void fail_at(const Text_row& row, const Words&... words)
+{
+  fail_at_row(row.number, words..., advice_on_commas(row.text),
+              row.text.find(',') == row.text.npos ? "" : " (or give --decimal-comma)");
+}
+
+// The first rows of a table, all with as many values; NaN for what is no number.
+using Sample = std::vector<std::vector<double>>;
+
+// Of the rows that have values there: some scanners write NaN where nothing came back.
+template <class Is_right>
+bool all_values(const Sample& rows, std::size_t first, Is_right is_right)
+{
+  std::size_t count = 0;
+  for(const std::vector<double>& row : rows) {
+    const double values[3] = {row[first], row[first + 1], row[first + 2]};
+    if(std::any_of(values, values + 3, [](double x) { return std::isnan(x); }))
+      continue;
+    if(!std::all_of(values, values + 3, is_right))
+      return false;
+    ++count;
+  }
+  return count > 0;
+}
+
+bool are_integer_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 65535 && x == std::floor(x); });
+}
+
+// Channels from 0 to 1, at least one of which is between.
+bool are_real_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
+}
+
+bool is_number(const Sample& rows, std::size_t column)
+{
+  return std::none_of(rows.begin(), rows.end(), [=](const auto& row) { return std::isnan(row[column]); });
+}
+
+using Names = std::initializer_list<const char*>;
+
+// Names of the coordinates beside x, y and z: none, those of maps, such as Easting and Northing, and those of the globe.
+const Names coordinate_names[3][3] = {
+  {},
+  {{"easting", "east", "e", "x"},
+   {"northing", "north", "n", "y"},
+   {"elevation", "elev", "height", "h", "altitude", "alt", "z"}},
+  {{"lon", "long", "longitude"}, {"lat", "latitude"}, {"height", "h", "altitude", "alt", "elevation"}}};
+
+// Of a name without a unit in parentheses.
+Column column_of(const std::string& text, const Names (&coordinates)[3])
+{
+  const std::string plain = plain_name(text), name = plain.substr(0, plain.find_first_of("(["));
+  for(int c = 0; c < 3; ++c)
+    if(is_in(name, coordinates[c]))
+      return Column(c);
+  return column_of_name(text);
+}
+
+// The columns of these names, or none if they do not name x, y and z. Each but for the first of a kind is passed over.
+std::vector<Column> columns_of(const std::vector<std::string>& names, bool& is_geographic)
+{
+  for(const auto& coordinates : coordinate_names) {
+    std::vector<Column> columns;
+    for(const std::string& name : names) {
+      const Column c = column_of(name, coordinates);
+      columns.push_back(has_column(columns, c) ? Column::none : c);
+    }
+    remove_incomplete(columns);
+    if(!has_coordinates(columns))
+      continue;
+    is_geographic = &coordinates == &coordinate_names[2];
+    return columns;
+  }
+  return {};
+}
+
+void place(std::vector<Column>& columns, std::size_t first, Column name)
+{
+  for(int i = 0; i < 3; ++i)
+    columns[first + std::size_t(i)] = Column(int(name) + i);
+}
+
+// Most of the normals in the columns from `first` on have length 1.
+bool are_normals(const Sample& rows, std::size_t first)
+{
+  std::size_t unit = 0, other = 0;
+  for(const std::vector<double>& row : rows) {
+    const double length =
+      std::sqrt(row[first] * row[first] + row[first + 1] * row[first + 1] + row[first + 2] * row[first + 2]);
+    const bool is_unit = std::fabs(length - 1) <= largest_error_of_length;
+    unit += is_unit ? 1 : 0;
+    other += !is_unit && length > 0 ? 1 : 0;
+  }
+  return unit > 9 * other;
+}
+
+// The columns of a table without a line of names, from `first` on; one before it counts the rows. In a .pts file the
+// intensity comes before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
+std::vector<Column> recognize_columns(const Sample& rows, std::size_t first, const std::string& extension)
+{
+  const std::size_t all = rows.empty() ? 0 : rows.front().size(), count = all - first;
+  if(all < 3)
+    return {};
+  std::vector<Column> columns(all, Column::none);
+  place(columns, first, Column::x);
+  std::size_t c = first + 3;
+  if(extension == ".pts" && (count == 4 || count == 7))
+    columns[c++] = Column::intensity;
+  const bool has_normals = extension == ".pwn" || extension == ".xyzn";
+  if((has_normals || extension == ".xyzrgb") && count >= 6) {
+    place(columns, c, has_normals ? Column::nx : Column::red);
+    c += 3;
+  }
+  while(c + 3 <= all) {
+    const bool is_normal = !has_column(columns, Column::nx) && are_normals(rows, c);
+    const bool is_color =
+      !is_normal && !has_column(columns, Column::red) && (are_integer_colors(rows, c) || are_real_colors(rows, c));
+    if(is_normal || is_color)
+      place(columns, c, is_normal ? Column::nx : Column::red);
+    c += is_normal || is_color ? 3 : 1;
+  }
+  // A single number that is left is the intensity.
+  const auto begin = columns.begin() + std::ptrdiff_t(first), left = std::find(begin, columns.end(), Column::none);
+  if(std::count(begin, columns.end(), Column::none) == 1 && !has_column(columns, Column::intensity) &&
+     is_number(rows, std::size_t(left - columns.begin())))
+    *left = Column::intensity;
+  return columns;
+}
+
+// The first column has integers that rise by one from row to row, and three at least follow it. Not where the second one
+// has always the same value: then both may be the coordinates of a raster.
+bool counts_rows(const Sample& rows)
+{
+  constexpr std::size_t fewest_rows = 10, fewest_columns = 4;
+  if(rows.size() < fewest_rows || rows.front().size() < fewest_columns || std::floor(rows[0][0]) != rows[0][0])
+    return false;
+  bool is_second_constant = true;
+  for(std::size_t i = 1; i < rows.size(); ++i) {
+    if(rows[i][0] != rows[i - 1][0] + 1)
+      return false;
+    is_second_constant = is_second_constant && rows[i][1] == rows[0][1];
+  }
+  return !is_second_constant;
+}
+
+// The rows that have as many values as the first one; the others are reported when they are read.
+Sample sample_of(const std::vector<Text_row>& rows)
+{
+  Sample sample;
+  for(const Text_row& row : rows) {
+    std::vector<double> numbers;
+    for(std::string_view value : values_of(row.text))
+      numbers.push_back(parse_number(value).value_or(std::numeric_limits<double>::quiet_NaN()));
+    if(sample.empty() || numbers.size() == sample.front().size())
+      sample.push_back(numbers);
+  }
+  return sample;
+}
+
+std::size_t parse_count(const Text_row& row, std::string_view text)
+{
+  long long count = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), count);
+  if(end.ec != std::errc() || end.ptr != text.data() + text.size())
+    fail_at(row, "is neither a point, the number of points nor a line of names (comments begin with # or //)");
+  if(count < 0)
+    throw_error("announces ", count, " points");
+  return std::size_t(count);
+}
+
+// Its coordinates are numbers, or empty.
+bool is_point(const Cells& values, const std::vector<Column>& columns)
+{
+  for(Column c : {Column::x, Column::y, Column::z}) {
+    const auto found = std::find(columns.begin(), columns.end(), c);
+    const std::size_t place = columns.empty() ? std::size_t(c) : std::size_t(found - columns.begin());
+    if(place >= values.size() || !parse_number(values[place]))
+      return false;
+  }
+  return true;
+}
+
+// Words, none of which is a number.
+bool are_names(const Cells& values)
+{
+  const auto is_word = [](std::string_view value) {
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    return std::any_of(value.begin(), value.end(), is_letter) && !parse_number(value);
+  };
+  return values.size() >= 3 && std::all_of(values.begin(), values.end(), is_word);
+}
+
+// A line before the first point.
+void read_head_line(const Text_row& row, Table_head& head)
+{
+  const Cells cells = values_of(row.text);
+  if(!cells.empty() && plain_name(cells[0]) == "ncols")
+    throw std::runtime_error("is a raster of ESRI (its first word is ncols), and no table of points; make one of it "
+                             "with gdal_translate -of XYZ, for example");
+  const bool has_note = is_comment(row.text);
+  if(!has_note && is_point(cells, head.columns)) {
+    head.rows.push_back(row);
+    return;
+  }
+  std::string_view line = row.text;
+  line.remove_prefix((std::min)(line.find_first_not_of(" \t#/"), line.size()));
+  const Cells words = values_of(line);
+  const std::vector<std::string> names(words.begin(), words.end());
+  const std::vector<Column> columns = columns_of(names, head.is_geographic);
+  const bool has_option = head.source == Source::option;
+  if(!columns.empty() && !has_option) {
+    head.source = Source::header;
+    head.columns = columns;
+    head.names = names;
+  } else if(has_note || !columns.empty()) {
+    return;
+  } else if(!are_names(cells)) {
+    head.count = parse_count(row, cells.size() == 1 ? cells[0] : "");
+  } else if(std::exchange(head.has_skipped_names, true) || !has_option) {
+    fail_at_row(row.number, "is a line of names that do not tell x, y and z (name the columns by --columns)");
+  }
+}
+
+void find_columns(const Sample& sample, const std::string& extension, const std::string& tolerance, Table_head& head)
+{
+  std::vector<Column>& columns = head.columns;
+  if(head.source == Source::sample) {
+    if(!tolerance.empty())
+      throw_error("has no line of names, of which --tolerance-column takes '", tolerance, "' (--columns names them)");
+    head.counts_rows = counts_rows(sample);
+    columns = recognize_columns(sample, head.counts_rows ? 1 : 0, extension);
+  }
+  if(head.source != Source::header)
+    return;
+  if(!tolerance.empty())
+    columns[find_name(head.names, tolerance, "column")] = Column::tolerance;
+  remove_incomplete(columns);
+  if(!has_coordinates(columns))
+    throw_error("the column '", tolerance, "' of --tolerance-column is a coordinate");
+  head.counts_rows = !sample.empty() && sample.front().size() == head.names.size() + 1 && counts_rows(sample);
+  if(head.counts_rows)
+    columns.insert(columns.begin(), Column::none);
+}
+
+double channel_unit_of(const std::vector<Column>& columns, const Sample& sample)
+{
+  const std::size_t first = std::size_t(std::find(columns.begin(), columns.end(), Column::red) - columns.begin());
+  const bool is_triple = first + 2 < columns.size() && columns[first + 1] == Column::green;
+  return is_triple && !sample.empty() && first + 2 < sample.front().size() && are_real_colors(sample, first) ? 65535
+                                                                                                             : 1;
+}
+
+// A column that counts the rows need not have a name.
+Table_head read_head(Text_lines& lines, const std::string& extension, const Input_settings& settings)
+{
+  constexpr std::size_t most_rows = 1000, most_bytes = 1 << 20;
+  Table_head head;
+  head.columns = settings.columns;
+  head.source = settings.columns.empty() ? Source::sample : Source::option;
+  for(std::size_t bytes = 0; head.rows.size() < most_rows && bytes < most_bytes && lines.next_filled();)
+    if(head.rows.empty()) {
+      read_head_line(lines.row(), head);
+    } else if(!is_comment(lines.row().text)) {
+      head.rows.push_back(lines.row());
+      bytes += lines.row().text.size();
+    }
+  // As many values as names are told what they are.
+  const auto has_pairs = [](const Text_row& row) { return has_pairs_of_integers(row.text, true); };
+  if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
+     std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
+    fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
+  const Sample sample = sample_of(head.rows);
+  find_columns(sample, extension, settings.tolerance, head);
+  head.channel_unit = channel_unit_of(head.columns, sample);
+  return head;
+}
 
 // --- Commas separate values. Where they are parts of numbers instead, the values are others than those of the file.
 
@@ -27,7 +349,8 @@ public:
 
   void add(const Text_row& row)
   {
-    parse(row);
+    const Cells cells = values_of(row.text);
+    parse(row, cells);
     Point_row point = row_of(values);
     for(std::size_t i = 0; i < 3; ++i)
       point.color[i] = clamped<std::uint16_t>(head.channel_unit * values[std::size_t(Column::red) + i]);
@@ -36,8 +359,11 @@ public:
     if(fields.normal)
       look_at_normal(point.normal);
     look_at_commas(row);
-    if(head.counts_rows && break_at == 0)
-      look_at_counter(row);
+    if(head.counts_rows && break_at == 0) { // it may not go on like that
+      const double number = parse_number(cells[0]).value_or(0);
+      break_at = count > 0 && number != last_number + 1 ? row.number : 0;
+      last_number = number;
+    }
     ++count;
   }
 
@@ -46,46 +372,41 @@ public:
     if(head.channel_unit == 1)
       builder.widen_colors();
     if(2 * strange > count)
-      notes.warnings.push_back("the normals (nx ny nz, columns " + places() + ") are far from length 1, as " +
-                               std::to_string(example) + "; name the columns by --columns if they are no normals");
+      notes.warnings.push_back(text_of("the normals (nx ny nz, columns ", places(), ") are far from length 1, as ",
+                                       std::to_string(example),
+                                       "; name the columns by --columns if they are no normals"));
     if(may_be_decimal)
       report_commas();
     if(break_at > 0)
-      notes.warnings.push_back("column 1 counts the rows until row " + std::to_string(break_at) +
-                               " goes on otherwise, and is passed over; name the columns by --columns if it is a "
-                               "coordinate");
+      notes.warnings.push_back(text_of("column 1 counts the rows until row ", break_at,
+                                       " goes on otherwise, and is passed over; name the columns by --columns if it "
+                                       "is a coordinate"));
     if(head.count && *head.count != count)
       throw_error("has ", count, " rows of points, ", *head.count, " announced");
   }
 
 private:
-  void parse(const Text_row& row)
+  void parse(const Text_row& row, const Cells& cells)
   {
-    Table_values rest(row.text);
-    std::string_view value, before;
+    const bool has_commas = separator_of(row.text) == ',';
     bool is_split = false; // a number, by a comma
-    for(std::size_t c = 0; c < columns.size(); ++c, before = value) {
-      if(!rest.next(value))
-        fail_at(row, "has " + std::to_string(c) + " values instead of " + std::to_string(columns.size()));
-      is_split = is_split || (rest.separator() == ',' && is_rest_of_number(before, value));
-      if(columns[c] != Column::none)
-        values[std::size_t(columns[c])] = parse_value(row, columns[c], value);
+    for(std::size_t c = 0; c < columns.size(); ++c) {
+      if(c >= cells.size())
+        fail_at(row, "has ", c, " values instead of ", columns.size());
+      is_split = is_split || (c > 0 && has_commas && is_rest_of_number(cells[c - 1], cells[c]));
+      if(columns[c] == Column::none)
+        continue;
+      const std::optional<double> number = parse_number(cells[c]);
+      if(!number)
+        fail_at(row, "has '", cells[c].substr(0, 40), "' where the number ", name_of(columns[c]), " is expected");
+      values[std::size_t(columns[c])] = *number;
     }
-    if(rest.next(value) && (head.source != Source::option || rest.separator() == ','))
-      fail_at(row, "has more than " + std::to_string(columns.size()) +
-                     " values (name all its columns by --columns, also those to pass over, by _)");
+    if(cells.size() > columns.size() && (head.source != Source::option || has_commas))
+      fail_at(row, "has more than ", columns.size(),
+              " values (name all its columns by --columns, also those to pass over, by _)");
     if(is_split && head.source == Source::sample)
       fail_at(row, "has a number with a leading 0 behind a comma, as in 1,05, which may be a decimal comma (if it is a "
                    "value of its own, name all columns by --columns)");
-  }
-
-  static double parse_value(const Text_row& row, Column column, std::string_view value)
-  {
-    const std::optional<double> number = parse_number(value);
-    if(!number)
-      fail_at(row,
-              "has '" + std::string(value.substr(0, 40)) + "' where the number " + name_of(column) + " is expected");
-    return *number;
   }
 
   void look_at_normal(const double (&n)[3])
@@ -125,16 +446,6 @@ private:
     notes.warnings.push_back(text);
   }
 
-  // A column that seems to count the rows may not go on like that.
-  void look_at_counter(const Text_row& row)
-  {
-    std::string_view value;
-    Table_values(row.text).next(value);
-    const double number = parse_number(value).value_or(0);
-    break_at = count > 0 && number != last_number + 1 ? row.number : 0;
-    last_number = number;
-  }
-
   const Table_head& head;
   const std::vector<Column>& columns;
   Input_notes& notes;
@@ -153,17 +464,16 @@ void read_table(Byte_source& file, const std::string& extension, const Input_set
                 Input_notes& notes)
 {
   Input_buffer in(file);
-  Text_lines lines(in);
-  Table_rows table(lines, settings.has_decimal_commas);
-  const Table_head head = read_head(table, extension, settings);
+  Text_lines lines(in, settings.has_decimal_commas);
+  const Table_head head = read_head(lines, extension, settings);
   if(!settings.classes.empty() && !has_column(head.columns, Column::classification))
     throw_error("has no classification, which --classes needs (its columns: ", names_of(head.columns), ")");
   Table_reader reader(head, settings, points, notes);
   for(const Text_row& row : head.rows)
     reader.add(row);
-  while(table.next())
-    if(!is_comment(table.row().text))
-      reader.add(table.row());
+  while(lines.next_filled())
+    if(!is_comment(lines.row().text))
+      reader.add(lines.row());
   reader.finish();
   notes.lines.emplace_back("columns",
                            names_of(head.columns) + (head.counts_rows ? " (the first counts the rows)" : ""));

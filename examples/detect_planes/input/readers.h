@@ -7,7 +7,7 @@
 #define DETECT_PLANES_READERS_H
 
 #include "input/Input_buffer.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 #include "input/point_set.h"
 
 namespace program {
@@ -24,6 +24,30 @@ Fields fields_of(const Has& has)
   return {has(Column::nx) && has(Column::ny) && has(Column::nz),
           has(Column::red) && has(Column::green) && has(Column::blue), has(Column::intensity),
           has(Column::classification), has(Column::tolerance)};
+}
+
+// Where a file that names what its points have, has each of the columns.
+using Column_places = std::array<std::size_t, std::size_t(Column::none)>;
+constexpr std::size_t nowhere = std::size_t(-1);
+
+// kind: what has these names, for the message.
+inline Fields fields_of(const Column_places& places, const Input_settings& settings, const char* kind)
+{
+  const Fields fields = fields_of([&](Column c) { return places[std::size_t(c)] != nowhere; });
+  if(!settings.classes.empty() && !fields.classification)
+    throw_error("has no ", kind, " 'classification', which --classes needs");
+  return fields;
+}
+
+// number(place): 0 where there is none.
+template <class Number>
+Row_values values_at(const Column_places& places, const Number& number)
+{
+  Row_values values = {};
+  for(std::size_t c = 0; c < values.size(); ++c)
+    if(places[c] != nowhere)
+      values[c] = number(places[c]);
+  return values;
 }
 
 struct Point_row {
@@ -43,8 +67,6 @@ Integer clamped(double x)
   return x > 0 ? Integer(std::lround((std::min)(x, largest))) : Integer(0);
 }
 
-inline std::uint8_t class_of_number(double x) { return x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0); }
-
 // But for the color.
 inline Point_row row_of(const Row_values& values)
 {
@@ -54,7 +76,8 @@ inline Point_row row_of(const Row_values& values)
     row.normal[c] = values[std::size_t(Column::nx) + c];
   }
   row.intensity = float(values[std::size_t(Column::intensity)]);
-  row.classification = class_of_number(values[std::size_t(Column::classification)]);
+  const double classification = values[std::size_t(Column::classification)];
+  row.classification = classification > 0 && classification < 256 ? std::uint8_t(classification) : std::uint8_t(0);
   row.tolerance = values[std::size_t(Column::tolerance)];
   return row;
 }
@@ -83,13 +106,12 @@ public:
   // Whether the point is taken.
   bool add(const Point_row& row)
   {
-    const std::vector<int>& classes = settings.classes;
     const Kernel::Point_3 point(row.point[0], row.point[1], row.point[2]);
     if(settings.crop && is_finite(point))
       notes.box += point.bbox();
     if(settings.crop && !is_within(row.point, *settings.crop))
       return false;
-    if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
+    if(!settings.classes.empty() && !is_in(row.classification, settings.classes))
       return false;
     const Point_set::Index i = *points.insert(point);
     if(fields.normal)
@@ -105,13 +127,13 @@ public:
     return true;
   }
 
-  // `new_colors[i]` is that of the i-th point.
-  template <class Colors>
-  void set_colors(const Colors& new_colors)
+  // next(): the channels, point by point.
+  template <class Next>
+  void set_colors(Next next)
   {
-    std::size_t count = 0;
     for(Point_set::Index i : points)
-      colors[i] = new_colors[count++];
+      for(std::uint16_t& channel : colors[i])
+        channel = next();
   }
 
   // Makes 16 bits of colors that use 8.
@@ -206,9 +228,7 @@ public:
     if(!std::isfinite(areas.back()))
       throw std::runtime_error("has faces whose area is not finite");
     Point_set points;
-    Fields fields;
-    fields.normal = true;
-    Cloud_builder builder(points, fields, settings, notes);
+    Cloud_builder builder(points, {true, false, false, false, false}, settings, notes);
     std::size_t t = 0;
     for(std::size_t i = 0; i < *settings.sample; ++i) {
       const double place = (double(i) + random(3 * i)) * step;
@@ -302,6 +322,64 @@ inline double number_of_type(const char* bytes, char type, std::size_t size)
          : size == 4 ? number(std::int32_t(), std::uint32_t())
                      : number(std::int64_t(), std::uint64_t());
 }
+
+inline void check_room(std::uint64_t points, std::uint64_t room)
+{
+  if(points > room)
+    throw_error("is truncated: ", points, " points announced, room for ", room);
+}
+
+[[noreturn]] inline void fail_after(std::uint64_t point, std::uint64_t points)
+{
+  check_signals();
+  throw_error("unreadable after point ", point, " of ", points);
+}
+
+// --- LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+
+// A number behind the bytes of the point format, as a record of the header describes it.
+struct Las_dimension {
+  std::string name;
+  char type; // as that of number_of_type()
+  std::size_t size;
+  std::size_t position; // in the record of a point
+  double scale, offset;
+};
+
+// Of the bytes of the dimension.
+double value_of(const char* bytes, const Las_dimension& dimension);
+
+struct Las_header {
+  int minor_version = 0;
+  int point_format = 0;
+  bool is_compressed = false; // LAZ
+  std::uint16_t record_length = 0;
+  std::uint64_t first_point = 0; // position in the file
+  std::uint64_t count = 0;
+  Las_frame frame;
+  std::vector<Las_dimension> dimensions;
+
+  bool has_color() const { return color_position() > 0; }
+
+  // In the record of a point, 0 if there is no color.
+  std::size_t color_position() const
+  {
+    constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
+    return positions[point_format];
+  }
+};
+
+Las_header read_las_header(Input_buffer& in);
+
+// Rounded after each operation, also where the processor could do both at once.
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
+
+// The bytes of a point of this format without extra ones.
+std::size_t las_point_size(int point_format);
+
+// The points that LASzip reads. tolerance: the dimension that has it, or null.
+void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
+                     Cloud_builder& builder);
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

@@ -46,40 +46,21 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t 
   return surface;
 }
 
-// Points and faces, as .off and .ply have them.
-void write_rows(std::ostream& out, const Surface& surface)
-{
-  write_vertices(out, surface.points, "");
-  for(const auto& face : surface.faces) {
-    out << face.size();
-    write_corners(out, face, 0);
-    out << '\n';
-  }
-}
-
-void write_obj(std::ostream& out, const Surface& surface)
-{
-  out << "# detect_planes of Tandem\n";
-  write_vertices(out, surface.points, "v ");
-  for(const auto& face : surface.faces) {
-    out << 'f';
-    write_corners(out, face, 1);
-    out << '\n';
-  }
-}
-
 void write_surface(std::ostream& out, const Surface& surface, const std::string& extension)
 {
   const std::size_t points = surface.points.size(), faces = surface.faces.size();
-  if(extension == ".obj")
-    return write_obj(out, surface);
-  if(extension == ".off")
+  const bool is_obj = extension == ".obj";
+  if(is_obj)
+    out << "# detect_planes of Tandem\n";
+  else if(extension == ".off")
     out << "OFF\n" << points << ' ' << faces << " 0\n";
   else
     out << "ply\nformat ascii 1.0\ncomment detect_planes of Tandem\nelement vertex " << points
         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces
         << "\nproperty list int int vertex_indices\nend_header\n";
-  write_rows(out, surface);
+  write_vertices(out, surface.points, is_obj ? "v " : "");
+  for(const auto& face : surface.faces)
+    write_corners(out << (is_obj ? "f" : std::to_string(face.size())), face, is_obj ? 1 : 0) << '\n';
 }
 
 } // namespace

@@ -161,12 +161,14 @@ public:
     const int mode = part && fs::exists(status) ? 0600 : 0666; // not everybody may read what is replaced
     if(!buffer.open((part ? part->name() : fs::path(path)).c_str(), part ? O_EXCL : O_TRUNC, mode))
       fail(errno);
-    if(fs::is_regular_file(status))
-      keep_mode(status.permissions() & fs::perms::all);
+    // That of the file that is replaced, before anything is in the new one.
+    const fs::perms kept = status.permissions() & fs::perms::all;
+    if(fs::is_regular_file(status) && (fs::status(part->name(), error).permissions() & fs::perms::all) != kept &&
+       !error)
+      fs::permissions(part->name(), kept, error);
+    if(fs::is_regular_file(status) && error)
+      fail(error.value());
   }
-
-  Output_file(const Output_file&) = delete;
-  Output_file& operator=(const Output_file&) = delete;
 
   // Everything is on its way to the disk, or it throws.
   template <class Write>
@@ -189,17 +191,6 @@ public:
 private:
   [[noreturn]] void fail(int error) const { throw_error(name, ": cannot be written", reason_of(error)); }
 
-  // That of the file that is replaced, before anything is in the new one.
-  void keep_mode(std::filesystem::perms mode) const
-  {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    if((fs::status(part->name(), error).permissions() & fs::perms::all) != mode && !error)
-      fs::permissions(part->name(), mode, error);
-    if(error)
-      fail(error.value());
-  }
-
   std::string name;
   std::filesystem::path target;
   std::optional<Temporary_path> part;
@@ -210,10 +201,6 @@ private:
 // The folders that a run has made. They go with it if it fails, also by a signal, unless something is in them.
 class Made_folders {
 public:
-  Made_folders() = default;
-  Made_folders(const Made_folders&) = delete;
-  Made_folders& operator=(const Made_folders&) = delete;
-
   ~Made_folders()
   {
     while(!made.empty())

@@ -80,7 +80,7 @@ struct Run {
   std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
   std::vector<std::string> warnings;                      // of the reading, and of the result
   std::string normals;                                    // "given", "estimated" or how else
-  std::string device = "CPU";
+  std::string device;                                     // "CPU", or what is known of it
   Tolerance_facts tolerance;
   std::size_t zeros = 0;   // points at 0 0 0 that --ignore-zeros leaves out
   std::string mesh;        // what there is to say about it
@@ -213,18 +213,6 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                     {"process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes())}};
 }
 
-// Which of the shapes that were detected the outputs have; null: all.
-inline Json json_of_selection(const CGAL::Tandem::Statistics& s, const Run& run)
-{
-  if(run.selection.empty())
-    return nullptr;
-  return {{"options", utf8(run.selection)},
-          {"shapes", s.number_of_shapes},
-          {"points", s.number_of_assigned_points},
-          {"detected_shapes", run.detected_shapes},
-          {"detected_points", run.detected_points}};
-}
-
 // A list for each member, by shape.
 inline Json uncertainties(const Shapes& shapes)
 {
@@ -242,12 +230,7 @@ inline Json uncertainties(const Shapes& shapes)
           {"angle_deg", list(&Uncertainty::angle_deg)}};
 }
 
-inline std::string hash_text(const Run& run)
-{
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << run.hash;
-  return text.str();
-}
+inline std::string hash_text(const Run& run) { return text_of(std::hex, std::setw(16), std::setfill('0'), run.hash); }
 
 inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run)
 {
@@ -265,7 +248,13 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                        {"maximum", run.tolerance.largest},
                        {"note", run.tolerance.note}};
   json["planes_from"] = run.planes_from.empty() ? Json() : Json(utf8(run.planes_from));
-  json["selection"] = json_of_selection(s, run);
+  json["selection"] = nullptr; // the outputs have all shapes that were detected
+  if(!run.selection.empty())
+    json["selection"] = {{"options", utf8(run.selection)},
+                         {"shapes", s.number_of_shapes},
+                         {"points", s.number_of_assigned_points},
+                         {"detected_shapes", run.detected_shapes},
+                         {"detected_points", run.detected_points}};
   add_figures(s, run, json);
   json["relations"] = {{"parallel_groups", members_of_groups(shapes, &Shapes::parallel_group)},
                        {"orthogonal_pairs", shapes.orthogonal_groups()},
@@ -302,15 +291,12 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   const auto row = [&out](const char* name) -> std::ostream& {
     return out << "  " << std::left << std::setw(12) << name;
   };
-  write_visible(out, run.short_input);
-  out << '\n' << std::setprecision(4);
+  out << Visible{run.short_input} << '\n' << std::setprecision(4);
   row("points") << s.number_of_points << ", normals " << run.normals;
   write_left_out(out, s, run);
   out << '\n';
-  for(const auto& [word, text] : run.notes) {
-    write_visible(row(word.c_str()), text);
-    out << '\n';
-  }
+  for(const auto& [word, text] : run.notes)
+    row(word.c_str()) << Visible{text} << '\n';
   row("parameters") << "maximum distance " << p.maximum_distance
                     << (run.tolerance.source == "estimated" ? " (estimated)" : "") << ", angle " << p.maximum_angle;
   if(run.planes_from.empty())
@@ -319,21 +305,16 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   out << '\n';
   if(!run.tolerance.note.empty())
     row("estimate") << run.tolerance.note << '\n';
-  if(run.tolerance.is_of_each_point) {
-    row("tolerances") << run.tolerance.smallest << " to " << run.tolerance.largest << ", by ";
-    write_visible(out, run.tolerance.source);
-    out << '\n';
-  }
-  if(!run.planes_from.empty()) {
-    write_visible(row("known") << "planes of ", run.planes_from);
-    out << ", not detected: points are within the tolerances, but shapes need not be connected\n";
-  }
-  if(!run.selection.empty()) {
+  if(run.tolerance.is_of_each_point)
+    row("tolerances") << run.tolerance.smallest << " to " << run.tolerance.largest << ", by "
+                      << Visible{run.tolerance.source} << '\n';
+  if(!run.planes_from.empty())
+    row("known") << "planes of " << Visible{run.planes_from}
+                 << ", not detected: points are within the tolerances, but shapes need not be connected\n";
+  if(!run.selection.empty())
     row("selection") << s.number_of_shapes << " of " << run.detected_shapes << " shapes, with "
-                     << s.number_of_assigned_points << " of " << run.detected_points << " points (";
-    write_visible(out, run.selection);
-    out << ")\n";
-  }
+                     << s.number_of_assigned_points << " of " << run.detected_points << " points ("
+                     << Visible{run.selection} << ")\n";
   row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "

@@ -10,8 +10,10 @@ namespace {
 // One type for coordinates and normals: some readers want them to agree.
 bool has_double(const Output_points& cloud)
 {
-  return needs_double(cloud.part, [&](Point_set::Index i) { return cloud.points.point(i); }) ||
-         needs_double(cloud.part, [&](Point_set::Index i) { return cloud.normal(i); });
+  return std::any_of(cloud.part.begin(), cloud.part.end(), [&](Point_set::Index i) {
+    const std::array<double, 6> numbers = cloud.place_and_normal(i);
+    return !std::all_of(numbers.begin(), numbers.end(), fits_float);
+  });
 }
 
 // What a point has behind its color, as the formats describe it.
@@ -34,23 +36,31 @@ std::vector<Attribute> attributes_of(const Output_points& cloud)
   return attributes;
 }
 
+// write(number): but for the shape, which is the last.
+template <class Write>
+void write_attributes(const Output_points& cloud, Point_set::Index i, const Write& write)
+{
+  if(cloud.intensity)
+    write((*cloud.intensity)[i]);
+  if(cloud.classification)
+    write((*cloud.classification)[i]);
+  if(cloud.tolerance)
+    write((*cloud.tolerance)[i]);
+}
+
 // write_color(color): as the format has it.
 template <class Write_color>
-void write_points(Binary_writer& binary, const Output_points& cloud, bool is_double, const Write_color& write_color)
+void write_points(std::ostream& out, const Output_points& cloud, bool is_double, const Write_color& write_color)
 {
   for(Point_set::Index i : cloud.part) {
-    const Kernel::Point_3& p = cloud.points.point(i);
-    const Kernel::Vector_3 n = cloud.normal(i);
-    for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
-      binary.write_real(x, is_double);
+    for(double x : cloud.place_and_normal(i))
+      if(is_double)
+        write_binary(out, x);
+      else
+        write_binary(out, float(x));
     write_color(cloud.color(i));
-    if(cloud.intensity)
-      binary.write((*cloud.intensity)[i]);
-    if(cloud.classification)
-      binary.write((*cloud.classification)[i]);
-    if(cloud.tolerance)
-      binary.write((*cloud.tolerance)[i]);
-    binary.write(cloud.shape(i));
+    write_attributes(cloud, i, [&](auto number) { write_binary(out, number); });
+    write_binary(out, cloud.shape(i));
   }
 }
 
@@ -64,9 +74,9 @@ void write_ply(std::ostream& out, const Output_points& cloud)
   for(const Attribute& a : attributes_of(cloud))
     out << "property " << a.ply_type << ' ' << a.name << '\n';
   out << "end_header\n";
-  Binary_writer binary(out);
-  write_points(binary, cloud, is_double, [&](const Color& color) {
-    std::for_each(color.begin(), color.end(), [&](std::uint8_t channel) { binary.write(channel); });
+  write_points(out, cloud, is_double, [&](const Color& color) {
+    for(std::uint8_t channel : color)
+      write_binary(out, channel);
   });
 }
 
@@ -83,9 +93,8 @@ void write_pcd(std::ostream& out, const Output_points& cloud)
   out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb" << names
       << "\nSIZE" << sizes << "\nTYPE F F F F F F F" << types << "\nCOUNT 1 1 1 1 1 1 1" << counts << "\nWIDTH "
       << cloud.part.size() << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
-  Binary_writer binary(out);
-  write_points(binary, cloud, is_double, [&](const Color& c) {
-    binary.write(std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
+  write_points(out, cloud, is_double, [&](const Color& c) {
+    write_binary(out, std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
   });
 }
 
@@ -96,42 +105,32 @@ void write_table(std::ostream& out, const Output_points& cloud, char separator, 
     names += ' ' + a.name;
   std::replace(names.begin(), names.end(), ' ', separator);
   out << comment << names << '\n';
+  const auto write = [&](auto number) { write_shortest(out, number, separator); };
   for(Point_set::Index i : cloud.part) {
-    const Kernel::Point_3& p = cloud.points.point(i);
-    const Kernel::Vector_3 n = cloud.normal(i);
-    for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
-      write_shortest(out, x, separator);
+    for(double x : cloud.place_and_normal(i))
+      write(x);
     for(std::uint8_t channel : cloud.color(i))
-      out << int(channel) << separator;
-    if(cloud.intensity)
-      write_shortest(out, (*cloud.intensity)[i], separator);
-    if(cloud.classification)
-      out << int((*cloud.classification)[i]) << separator;
-    if(cloud.tolerance)
-      write_shortest(out, (*cloud.tolerance)[i], separator);
+      write(channel);
+    write_attributes(cloud, i, write);
     out << cloud.shape(i) << '\n';
   }
 }
 
 } // namespace
 
-void write_cloud(std::ostream& out, const Point_set& points, const Point_part& part, const Shapes& shapes,
-                 const Cloud_format& format)
+void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension,
+                 const std::optional<Las_frame>& frame)
 {
-  const std::string& extension = format.extension;
-  const bool is_las = extension == ".las" || extension == ".laz";
-  const Output_points cloud(points, part, shapes, format.colors.empty() ? !is_las : format.colors == "shape",
-                            format.label_property);
   if constexpr(has_laszip)
     if(extension == ".laz")
-      return write_laz(out, cloud, format.las_frame);
+      return write_laz(out, cloud, frame);
   if(extension == ".las")
-    write_las(out, cloud, format.las_frame);
+    write_las(out, cloud, frame);
   else if(extension == ".pcd")
     write_pcd(out, cloud);
   else if(extension == ".csv")
     write_table(out, cloud, ',', "");
-  else if(extension == ".xyz" || extension == ".txt")
+  else if(is_in(extension, {".xyz", ".txt"}))
     write_table(out, cloud, ' ', "# ");
   else
     write_ply(out, cloud);

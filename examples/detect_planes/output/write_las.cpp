@@ -3,7 +3,7 @@
 
 #include "output/writers.h"
 
-#include "input/las_header.h"
+#include "input/readers.h"
 
 namespace program {
 
@@ -96,14 +96,6 @@ bool is_fine(const Las_frame& frame, const Output_points& cloud)
   });
 }
 
-// Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
-bool needs_format_7(const Output_points& cloud, const Las_frame& frame)
-{
-  return frame.projection == Projection::wkt ||
-         (cloud.classification && std::any_of(cloud.part.begin(), cloud.part.end(),
-                                              [&](Point_set::Index i) { return (*cloud.classification)[i] > 31; }));
-}
-
 std::string padded(std::string text, std::size_t size)
 {
   text.resize(size, '\0');
@@ -123,7 +115,6 @@ std::string extra_bytes_record(const std::string& name)
 void write_header(std::ostream& out, const Las_frame& frame, const Bounds& bounds, bool is_format_7)
 {
   constexpr std::uint16_t header_size = 375;
-  Binary_writer binary(out);
   std::size_t first_point = header_size;
   for(const std::string& record : frame.records)
     first_point += record.size();
@@ -132,45 +123,44 @@ void write_header(std::ostream& out, const Las_frame& frame, const Bounds& bound
   // Not for the formats from 6 on, nor for more than 32 bits.
   const std::uint32_t old_count = !is_format_7 && bounds.count <= 0xFFFFFFFF ? std::uint32_t(bounds.count) : 0;
   out << "LASF" << padded("", 2);
-  binary.write(global_encoding);
+  write_binary(out, global_encoding);
   out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
-  binary.write(header_size);
-  binary.write(std::uint32_t(first_point));
-  binary.write(std::uint32_t(frame.records.size()));
+  write_binary(out, header_size);
+  write_binary(out, std::uint32_t(first_point));
+  write_binary(out, std::uint32_t(frame.records.size()));
   out << (is_format_7 ? '\7' : '\2');
-  binary.write(std::uint16_t((is_format_7 ? 36 : 26) + 4));
-  binary.write(old_count);
-  binary.write(old_count);
+  write_binary(out, std::uint16_t((is_format_7 ? 36 : 26) + 4));
+  write_binary(out, old_count);
+  write_binary(out, old_count);
   out << padded("", 16);
   for(const std::array<double, 3>& numbers : {frame.scale, frame.offset})
     for(double x : numbers)
-      binary.write(x);
+      write_binary(out, x);
   for(int c = 0; c < 3; ++c)
     for(double x : {bounds.box.max(c), bounds.box.min(c)})
-      binary.write(place_on_grid(x, frame, std::size_t(c)));
+      write_binary(out, place_on_grid(x, frame, std::size_t(c)));
   out << padded("", 20); // neither waveforms nor extended records
-  binary.write(bounds.count);
-  binary.write(bounds.count); // all of them are first returns
+  write_binary(out, bounds.count);
+  write_binary(out, bounds.count); // all of them are first returns
   out << padded("", 14 * 8);
 }
 
 void write_point(std::ostream& out, const Output_points& cloud, Point_set::Index i, const Las_frame& frame,
                  bool is_format_7)
 {
-  Binary_writer binary(out);
   const Kernel::Point_3& p = cloud.points.point(i);
   for(int c = 0; c < 3; ++c)
-    binary.write(std::int32_t(integer_of(p[c], frame, std::size_t(c))));
+    write_binary(out, std::int32_t(integer_of(p[c], frame, std::size_t(c))));
   const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
-  binary.write(intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
+  write_binary(out, intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
   const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
   if(is_format_7)
     out << '\x11' << '\0' << char(classification) << padded("", 13); // first return of one; no time
   else
     out << '\x09' << char(classification) << padded("", 4);
   for(std::uint16_t channel : cloud.wide_color(i))
-    binary.write(channel);
-  binary.write(cloud.shape(i));
+    write_binary(out, channel);
+  write_binary(out, cloud.shape(i));
 }
 
 } // namespace
@@ -186,7 +176,10 @@ void write_las(std::ostream& out, const Output_points& cloud, const std::optiona
     frame.projection = frame_of_input->projection;
   }
   frame.records.push_back(extra_bytes_record(cloud.label_property));
-  const bool is_format_7 = needs_format_7(cloud, frame);
+  // Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
+  const auto is_high = [&](Point_set::Index i) { return cloud.classification && (*cloud.classification)[i] > 31; };
+  const bool is_format_7 =
+    frame.projection == Projection::wkt || std::any_of(cloud.part.begin(), cloud.part.end(), is_high);
   write_header(out, frame, bounds, is_format_7);
   for(const std::string& record : frame.records)
     out << record;

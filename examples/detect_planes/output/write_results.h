@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The labels and the planes, and what the writers share. Everything is written exactly, so that the guarantees can be
-// checked from the files.
+// What the writers share. Everything is written exactly, so that the guarantees can be checked from the files.
 
 #ifndef DETECT_PLANES_WRITE_RESULTS_H
 #define DETECT_PLANES_WRITE_RESULTS_H
@@ -18,29 +17,13 @@
 
 namespace program {
 
-// Binary numbers, little-endian on every machine.
-class Binary_writer {
-public:
-  explicit Binary_writer(std::ostream& out) : out(out) {}
-
-  template <class T>
-  void write(T value)
-  {
-    const T ordered = little_endian(value);
-    out.write(reinterpret_cast<const char*>(&ordered), sizeof(T));
-  }
-
-  void write_real(double value, bool is_double)
-  {
-    if(is_double)
-      write(value);
-    else
-      write(float(value));
-  }
-
-private:
-  std::ostream& out;
-};
+// The bytes of a number, little-endian on every machine.
+template <class T>
+void write_binary(std::ostream& out, T value)
+{
+  const T ordered = little_endian(value);
+  out.write(reinterpret_cast<const char*>(&ordered), sizeof(T));
+}
 
 using Color = std::array<std::uint8_t, 3>;
 
@@ -74,37 +57,12 @@ void write_shortest(std::ostream& out, Real x, char end)
 
 inline bool fits_float(double x) { return !std::isfinite(x) || double(float(x)) == x; }
 
-template <class Points, class Get_vector>
-bool needs_double(const Points& points, Get_vector get_vector)
-{
-  return std::any_of(points.begin(), points.end(), [&](Point_set::Index i) {
-    const auto& v = get_vector(i);
-    return !fits_float(v.x()) || !fits_float(v.y()) || !fits_float(v.z());
-  });
-}
-
 // Estimated normals that were turned to a side are those of the points. Without normals, as known planes need none, null.
 inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shapes, Point_set::Index i)
 {
   if(points.has_normal_map())
     return points.normal(i);
   return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : Kernel::Vector_3(CGAL::NULL_VECTOR);
-}
-
-inline void write_labels(std::ostream& out, const Shapes& shapes)
-{
-  Binary_writer binary(out);
-  for(std::int32_t shape : shapes.shape_indices())
-    binary.write(shape);
-}
-
-inline void write_planes(std::ostream& out, const Shapes& shapes)
-{
-  out << std::setprecision(17);
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const auto& c = shapes.coefficients(s);
-    out << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3] << '\n';
-  }
 }
 
 } // namespace program

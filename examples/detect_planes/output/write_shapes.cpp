@@ -5,7 +5,72 @@
 
 #include "output/writers.h"
 
+#include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
+#include <CGAL/Tandem/shape_columns.h>
+
 namespace program {
+
+Shapes joined_shapes(const Point_set& points, const Shapes& shapes)
+{
+  return CGAL::Tandem::join_coplanar_shapes(shapes, points);
+}
+
+Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Options& o)
+{
+  namespace np = CGAL::Tandem::parameters;
+  const std::size_t all = (std::max)(shapes.number_of_shapes(), std::size_t(1));
+  const std::size_t number = o.largest ? std::size_t(*o.largest) : all;
+  const auto list =
+    np::largest(number).minimum_area(o.minimum_area.value_or(0)).minimum_extent(o.minimum_extent.value_or(0));
+  if(!o.near_direction)
+    return CGAL::Tandem::select_shapes(shapes, points, list);
+  const Direction_choice& choice = *o.near_direction;
+  const std::array<double, 3>& upward = shapes.parameters().symmetry_direction;
+  const std::array<double, 3>& d = choice.of == Direction_choice::direction ? choice.normal : upward;
+  const Kernel::Vector_3 direction(d[0], d[1], d[2]);
+  const auto near = list.near_angle(choice.degrees.value_or(CGAL::Tandem::internal::default_near_angle));
+  return choice.of == Direction_choice::vertical
+           ? CGAL::Tandem::select_shapes(shapes, points, near.orthogonal_direction(direction))
+           : CGAL::Tandem::select_shapes(shapes, points, near.near_direction(direction));
+}
+
+const Shape_areas& Described_shapes::areas() const
+{
+  if(!areas_)
+    areas_ = CGAL::Tandem::polygons(shapes, points);
+  return *areas_;
+}
+
+const Json& Described_shapes::table() const
+{
+  if(table_)
+    return *table_;
+  const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(shapes, points, areas());
+  table_.emplace();
+  CGAL::Tandem::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
+    Json& column = (*table_)[name] = Json::array();
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+      column.push_back(number_of(s));
+  });
+  return *table_;
+}
+
+void write_shape_table(std::ostream& out, const Json& table)
+{
+  out << "shape";
+  for(const auto& column : table.items())
+    out << ',' << column.key();
+  out << '\n';
+  for(std::size_t s = 0; s < table.begin()->size(); ++s) {
+    out << s;
+    for(const Json& column : table)
+      out << ',' << column[s];
+    out << '\n';
+  }
+}
 
 namespace {
 
@@ -18,7 +83,7 @@ struct Face {
 using Faces = std::vector<Face>;
 
 // Without holes, counterclockwise as seen from the outward side.
-Faces faces_of(const Shape_areas& areas, const Shapes& shapes, Faces_of_file kind)
+Faces faces_of(const Shape_areas& areas, const Shapes& shapes, bool has_triangles_only)
 {
   Faces result;
   const auto add = [&](std::size_t s, Polygon::Loop corners) {
@@ -28,12 +93,11 @@ Faces faces_of(const Shape_areas& areas, const Shapes& shapes, Faces_of_file kin
   };
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
     for(const Polygon& polygon : areas.polygons(s)) {
-      if(kind == Faces_of_file::polygons && polygon.holes.empty()) {
+      if(!has_triangles_only && polygon.holes.empty())
         add(s, polygon.outer);
-        continue;
-      }
-      for(const auto& t : polygon.triangles)
-        add(s, {t.begin(), t.end()});
+      else
+        for(const auto& t : polygon.triangles)
+          add(s, {t.begin(), t.end()});
     }
   return result;
 }
@@ -49,20 +113,19 @@ void write_ply(std::ostream& out, const Shape_areas& areas, const Faces& faces)
       << faces.size() << "\nproperty list " << (is_small ? "uchar" : "int")
       << " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty int "
          "shape\nend_header\n";
-  Binary_writer binary(out);
   for(const Kernel::Point_3& p : areas.points())
     for(int k = 0; k < 3; ++k)
-      binary.write(p[k]);
+      write_binary(out, p[k]);
   for(const Face& face : faces) {
     if(is_small)
-      binary.write(std::uint8_t(face.corners.size()));
+      write_binary(out, std::uint8_t(face.corners.size()));
     else
-      binary.write(std::int32_t(face.corners.size()));
+      write_binary(out, std::int32_t(face.corners.size()));
     for(std::uint32_t corner : face.corners)
-      binary.write(std::int32_t(corner));
+      write_binary(out, std::int32_t(corner));
     for(std::uint8_t channel : color_of_shape(int(face.shape)))
-      binary.write(channel);
-    binary.write(std::int32_t(face.shape));
+      write_binary(out, channel);
+    write_binary(out, std::int32_t(face.shape));
   }
 }
 
@@ -73,11 +136,8 @@ void write_obj(std::ostream& out, const Shape_areas& areas, const Faces& faces)
   auto face = faces.begin();
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     out << "g shape_" << s << '\n';
-    for(; face != faces.end() && face->shape == s; ++face) {
-      out << 'f';
-      write_corners(out, face->corners, 1);
-      out << '\n';
-    }
+    for(; face != faces.end() && face->shape == s; ++face)
+      write_corners(out << 'f', face->corners, 1) << '\n';
   }
 }
 
@@ -86,8 +146,7 @@ void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
   out << "OFF\n# detect_planes of Tandem\n" << areas.points().size() << ' ' << faces.size() << " 0\n";
   write_vertices(out, areas.points(), "");
   for(const Face& face : faces) {
-    out << face.corners.size();
-    write_corners(out, face.corners, 0);
+    write_corners(out << face.corners.size(), face.corners, 0);
     for(std::uint8_t channel : color_of_shape(int(face.shape)))
       out << ' ' << int(channel);
     out << '\n';
@@ -95,14 +154,6 @@ void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 }
 
 // --- GeoJSON, of which no more than a polygon is in memory at once
-
-// Exterior rings are counterclockwise as seen from above, as RFC 7946 wants it. Upright ones are so about the normal of
-// the written plane.
-bool is_seen_from_below(const Shapes& shapes, std::size_t s)
-{
-  constexpr double rounding = 1e-9; // of unit normals; it is far less than that
-  return shapes.coefficients(s)[2] < -rounding;
-}
 
 // The first corner again at the end.
 Json json_of_ring(const Shape_areas& areas, Polygon::Loop ring, bool is_reversed)
@@ -118,10 +169,13 @@ Json json_of_ring(const Shape_areas& areas, Polygon::Loop ring, bool is_reversed
 }
 
 void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, std::size_t s,
-                       Faces_of_file faces)
+                       bool has_triangles_only)
 {
+  // Exterior rings are counterclockwise as seen from above, as RFC 7946 wants it. Upright ones are so about the normal of
+  // the written plane.
+  constexpr double rounding = 1e-9; // of unit normals; it is far less than that
+  const bool is_reversed = shapes.coefficients(s)[2] < -rounding;
   const char* before = "\n   ";
-  const bool is_reversed = is_seen_from_below(shapes, s);
   const auto write_polygon = [&](const Polygon::Loop& outer, const std::vector<Polygon::Loop>& holes) {
     Json json = Json::array({json_of_ring(areas, outer, is_reversed)});
     for(const Polygon::Loop& hole : holes)
@@ -130,7 +184,7 @@ void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes
     before = ",\n   ";
   };
   for(const Polygon& polygon : areas.polygons(s))
-    if(faces == Faces_of_file::triangles)
+    if(has_triangles_only)
       for(const auto& triangle : polygon.triangles)
         write_polygon({triangle.begin(), triangle.end()}, {});
     else
@@ -138,13 +192,13 @@ void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes
 }
 
 // The properties of a shape are its row of the table of shapes, with the plane as one list.
-void write_geojson(std::ostream& out, const Described_shapes& described, const Polygon_format& format)
+void write_geojson(std::ostream& out, const Described_shapes& described, const Options& o)
 {
   const Shape_areas& areas = described.areas();
   const Shapes& shapes = described.shapes;
   out << R"({"type": "FeatureCollection", )";
-  if(!format.crs.empty())
-    out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(format.crs))) << "}}, ";
+  if(!o.crs.empty())
+    out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(o.crs))) << "}}, ";
   out << R"("features": [)";
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     Json properties = {{"shape", s}, {"plane", shapes.coefficients(s)}};
@@ -153,7 +207,7 @@ void write_geojson(std::ostream& out, const Described_shapes& described, const P
         properties[column.key()] = column.value()[s];
     out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "id": )" << s << R"(, "properties": )" << properties
         << R"(, "geometry": {"type": "MultiPolygon", "coordinates": [)";
-    write_coordinates(out, areas, shapes, s, format.faces);
+    write_coordinates(out, areas, shapes, s, o.has_triangles_only);
     out << "]}}";
   }
   out << "\n]}\n";
@@ -161,55 +215,32 @@ void write_geojson(std::ostream& out, const Described_shapes& described, const P
 
 // --- Vertex groups
 
-constexpr std::uint32_t not_in_file = std::uint32_t(-1);
-
-// The position of each point in the file. The readers know no NaN and no infinity, so such points are left out.
-std::vector<std::uint32_t> positions_in_vg(const Point_set& points, std::uint32_t& count)
+// Colors of points are left out: groups have one.
+void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& shapes, std::uint32_t count)
 {
-  std::vector<std::uint32_t> position;
-  count = 0;
+  out << "num_points: " << count << '\n';
+  const bool are_floats = std::all_of(points.begin(), points.end(), [&](Point_set::Index i) {
+    const Kernel::Point_3& p = points.point(i);
+    return fits_float(p.x()) && fits_float(p.y()) && fits_float(p.z());
+  });
+  // The readers take numbers of single precision: digits for that are enough where the input has no more.
   for(Point_set::Index i : points)
-    position.push_back(is_finite(points.point(i)) ? count++ : not_in_file);
-  return position;
-}
-
-// The readers take numbers of single precision: digits for that are enough where the input has no more.
-template <class Real>
-void write_vg_coordinates(std::ostream& out, const Point_set& points)
-{
-  for(Point_set::Index i : points)
-    if(const Kernel::Point_3& p = points.point(i); is_finite(p)) {
-      write_shortest(out, Real(p.x()), ' ');
-      write_shortest(out, Real(p.y()), ' ');
-      write_shortest(out, Real(p.z()), '\n');
-    }
-}
-
-// Normals of length 1, to a hundredth of a degree. The null vector, where a point has none.
-void write_vg_normals(std::ostream& out, const Point_set& points, const Shapes& shapes)
-{
+    for(int k = 0; k < 3 && is_finite(points.point(i)); ++k)
+      if(const double x = points.point(i)[k]; are_floats)
+        write_shortest(out, float(x), "  \n"[k]);
+      else
+        write_shortest(out, x, "  \n"[k]);
+  out << "num_colors: 0\nnum_normals: " << count << '\n';
+  // Of length 1, to a hundredth of a degree. The null vector, where a point has none.
   const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4 + 0.; }; // no -0
   for(Point_set::Index i : points)
     if(is_finite(points.point(i))) {
       const Kernel::Vector_3 n = normal_used(points, shapes, i);
       const double length = is_usable_normal(n) ? std::sqrt(n.squared_length()) : 0;
       const Kernel::Vector_3 unit = length > 0 ? n / length : Kernel::Vector_3(CGAL::NULL_VECTOR);
-      write_shortest(out, rounded(unit.x()), ' ');
-      write_shortest(out, rounded(unit.y()), ' ');
-      write_shortest(out, rounded(unit.z()), '\n');
+      for(int k = 0; k < 3; ++k)
+        write_shortest(out, rounded(unit[k]), "  \n"[k]);
     }
-}
-
-// Colors of points are left out: groups have one.
-void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& shapes, std::uint32_t count)
-{
-  out << "num_points: " << count << '\n';
-  if(needs_double(points, [&](Point_set::Index i) { return points.point(i); }))
-    write_vg_coordinates<double>(out, points);
-  else
-    write_vg_coordinates<float>(out, points);
-  out << "num_colors: 0\nnum_normals: " << count << '\n';
-  write_vg_normals(out, points, shapes);
 }
 
 void write_vg_group(std::ostream& out, const Shapes& shapes, std::size_t s, const std::vector<std::uint32_t>& position)
@@ -231,24 +262,23 @@ void write_vg_group(std::ostream& out, const Shapes& shapes, std::size_t s, cons
 
 } // namespace
 
-void write_polygons(std::ostream& out, const Described_shapes& described, const Polygon_format& format)
+void write_polygons(std::ostream& out, const Described_shapes& described, const Options& o)
 {
+  if(is_geojson(o.polygons))
+    return write_geojson(out, described, o);
   const Shape_areas& areas = described.areas();
-  const Shapes& shapes = described.shapes;
-  if(format.extension == ".obj")
-    write_obj(out, areas, faces_of(areas, shapes, format.faces));
-  else if(format.extension == ".ply")
-    write_ply(out, areas, faces_of(areas, shapes, format.faces));
-  else if(format.extension == ".off")
-    write_off(out, areas, faces_of(areas, shapes, format.faces));
-  else
-    write_geojson(out, described, format);
+  const std::string extension = lower_case_extension(o.polygons);
+  const auto write = extension == ".obj" ? write_obj : extension == ".ply" ? write_ply : write_off;
+  write(out, areas, faces_of(areas, described.shapes, o.has_triangles_only));
 }
 
 void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes)
 {
-  std::uint32_t count;
-  const std::vector<std::uint32_t> position = positions_in_vg(points, count);
+  // The position of each point in the file. The readers know no NaN and no infinity, so such points are left out.
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> position;
+  for(Point_set::Index i : points)
+    position.push_back(is_finite(points.point(i)) ? count++ : std::uint32_t(-1));
   write_vg_points(out, points, shapes, count);
   out << "num_groups: " << shapes.number_of_shapes() << '\n';
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)

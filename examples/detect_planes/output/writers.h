@@ -7,7 +7,7 @@
 #define DETECT_PLANES_WRITERS_H
 
 #include "Options.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 #include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
@@ -17,8 +17,6 @@ namespace program {
 // --- The areas that the points of the shapes cover, an entry for each shape; and coplanar shapes as one.
 
 using Shape_areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
-
-Shape_areas areas_of_shapes(const Point_set& points, const Shapes& shapes);
 
 // One shape for each plane.
 Shapes joined_shapes(const Point_set& points, const Shapes& shapes);
@@ -33,33 +31,17 @@ inline std::string why_empty(const Shape_areas& areas)
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.
 Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Options& o);
 
-// --- A table with a row for each shape: that of --shapes, which the page of --view has, too.
-
-// A list for each column: a number of each shape.
-Json shape_table(const Point_set& points, const Shapes& shapes, const Shape_areas& areas);
-
-// As CSV, with a line of names, and the number of the shape in front.
-void write_shape_table(std::ostream& out, const Json& table);
-
 // The shapes of a cloud, both of which outlive it, with what several outputs tell of them. Areas and table are made when
 // they are asked for first.
 class Described_shapes {
 public:
   Described_shapes(const Point_set& points, const Shapes& shapes) : points(points), shapes(shapes) {}
 
-  const Shape_areas& areas() const
-  {
-    if(!areas_)
-      areas_ = areas_of_shapes(points, shapes);
-    return *areas_;
-  }
+  const Shape_areas& areas() const;
 
-  const Json& table() const
-  {
-    if(!table_)
-      table_ = shape_table(points, shapes, areas());
-    return *table_;
-  }
+  // With a row for each shape: that of --shapes, which the page of --view has, too. A list for each column: a number of
+  // each shape.
+  const Json& table() const;
 
   const Point_set& points;
   const Shapes& shapes;
@@ -68,6 +50,9 @@ private:
   mutable std::optional<Shape_areas> areas_;
   mutable std::optional<Json> table_;
 };
+
+// As CSV, with a line of names, and the number of the shape in front.
+void write_shape_table(std::ostream& out, const Json& table);
 
 // --- Text formats of faces, for polygons and closed surfaces.
 
@@ -82,10 +67,11 @@ void write_vertices(std::ostream& out, const Points& points, const char* before)
 
 // Positions of points, each with a blank before it; the formats count from `first` on.
 template <class Corners>
-void write_corners(std::ostream& out, const Corners& corners, int first)
+std::ostream& write_corners(std::ostream& out, const Corners& corners, int first)
 {
   for(std::size_t corner : corners)
     out << ' ' << corner + std::size_t(first);
+  return out;
 }
 
 // --- A cloud.
@@ -93,15 +79,15 @@ void write_corners(std::ostream& out, const Corners& corners, int first)
 // A part of the cloud with the result, as the formats of --output get it.
 class Output_points {
 public:
-  // `has_shape_colors`: even if the input has colors.
-  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, bool has_shape_colors,
-                const std::string& label_property)
-    : points(points), part(part), shapes(shapes), label_property(label_property),
+  // extension: of the format, for which colors are those of the shapes, unless the options say otherwise.
+  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, const std::string& extension,
+                const Options& o)
+    : points(points), part(part), shapes(shapes), label_property(o.label_property),
       intensity(find_property<float>(points, intensity_name)),
       classification(find_property<std::uint8_t>(points, classification_name)),
       tolerance(find_property<double>(points, tolerance_name))
   {
-    if(has_shape_colors)
+    if(o.colors.empty() ? !is_las(extension) : o.colors == "shape")
       return;
     colors = find_property<Input_color>(points, color_name);
     has_narrow_colors =
@@ -110,7 +96,13 @@ public:
       });
   }
 
-  Kernel::Vector_3 normal(Point_set::Index i) const { return normal_used(points, shapes, i); }
+  std::array<double, 6> place_and_normal(Point_set::Index i) const
+  {
+    const Kernel::Point_3& p = points.point(i);
+    const Kernel::Vector_3 n = normal_used(points, shapes, i);
+    return {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
+  }
+
   std::int32_t shape(Point_set::Index i) const { return shapes.shape_index(i); }
 
   // Of 16 bits, as the input has it.
@@ -118,21 +110,17 @@ public:
   {
     if(colors)
       return (*colors)[i];
-    Input_color wide;
     const Color narrow = color_of_shape(shape(i));
-    std::transform(narrow.begin(), narrow.end(), wide.begin(), [](std::uint8_t c) { return std::uint16_t(257 * c); });
-    return wide;
+    return {std::uint16_t(257 * narrow[0]), std::uint16_t(257 * narrow[1]), std::uint16_t(257 * narrow[2])};
   }
 
   Color color(Point_set::Index i) const
   {
     if(!colors)
       return color_of_shape(shape(i));
-    Color narrow;
     const Input_color& wide = (*colors)[i];
-    std::transform(wide.begin(), wide.end(), narrow.begin(),
-                   [this](std::uint16_t c) { return std::uint8_t(has_narrow_colors ? c : c >> 8); });
-    return narrow;
+    const int shift = has_narrow_colors ? 0 : 8;
+    return {std::uint8_t(wide[0] >> shift), std::uint8_t(wide[1] >> shift), std::uint8_t(wide[2] >> shift)};
   }
 
   const Point_set& points;
@@ -171,29 +159,14 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
 
 // ---
 
-struct Cloud_format {
-  std::string extension;
-  std::string colors;                 // of the points: input, shape, or empty for what the format is used for
-  std::string label_property;         // the name of the shape of a point
-  std::optional<Las_frame> las_frame; // of the input
-};
-
-// The cloud with the shape of each point: the part of the points that belongs to the file.
-void write_cloud(std::ostream& out, const Point_set& points, const Point_part& part, const Shapes& shapes,
-                 const Cloud_format& format);
-
-enum class Faces_of_file { polygons, triangles };
-
-struct Polygon_format {
-  std::string extension;
-  Faces_of_file faces;
-  std::string crs; // the name of the coordinate reference system, for GeoJSON; empty: not written
-};
+// The cloud with the shape of each point; frame: of the input.
+void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension,
+                 const std::optional<Las_frame>& frame);
 
 // The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, OFF with the color
 // of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.
 // Their faces have no holes: polygons with holes are triangles there.
-void write_polygons(std::ostream& out, const Described_shapes& shapes, const Polygon_format& format);
+void write_polygons(std::ostream& out, const Described_shapes& shapes, const Options& o);
 
 // Vertex groups as text (.vg): the points, their normals, and a group of positions for each shape, as PolyFit, Easy3D and
 // programs for kinetic reconstruction read them.

@@ -5,7 +5,7 @@
 #define DETECT_PLANES_RANKS_H
 
 #include "Options.h"
-#include "input/input_settings.h"
+#include "input/read_cloud.h"
 #include "messages.h"
 #include "output/write_results.h"
 
@@ -67,9 +67,6 @@ using Placed_notes = std::pair<std::size_t, Input_notes>;
 // started. All ranks call the same members in the same order.
 class Ranks {
 public:
-  Ranks() = default;
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
   virtual ~Ranks() = default;
 
   virtual int rank() const { return 0; }

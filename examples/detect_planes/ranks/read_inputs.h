@@ -17,16 +17,16 @@ namespace program {
 
 // --- Each rank reads some of the inputs; what there is to say about them is said once.
 
-// The rank that reads each of the inputs.
-inline std::vector<int> rank_of_inputs(const Options& o, const Ranks& ranks)
+// Prints them, unless they are empty.
+inline void add_warnings(const std::vector<std::string>& warnings, bool is_first, Run& run)
 {
-  std::vector<std::uint64_t> bytes;
-  for(const std::string& path : o.inputs) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    bytes.push_back(ranks.number_of(0, error ? 0 : size));
+  for(const std::string& warning : warnings) {
+    if(warning.empty())
+      continue;
+    if(is_first)
+      warn(warning);
+    run.warnings.push_back(warning);
   }
-  return share_files(bytes, ranks.size());
 }
 
 // The first names of a list, and the number of the others.
@@ -54,9 +54,7 @@ inline void collect_notes(const Options& o, const Input_cloud& cloud, const Rank
       }
       paths_of_note[std::size_t(place)].push_back(o.inputs[input]);
     }
-    for(const std::string& warning : notes.warnings)
-      warn(warning);
-    run.warnings.insert(run.warnings.end(), notes.warnings.begin(), notes.warnings.end());
+    add_warnings(notes.warnings, true, run);
   }
   for(std::size_t i = 0; i < run.notes.size() && o.inputs.size() > 1; ++i)
     run.notes[i].second += " (" + joined(paths_of_note[i], 4) + ")";
@@ -65,10 +63,16 @@ inline void collect_notes(const Options& o, const Input_cloud& cloud, const Rank
     run.notes.emplace_back("left out", names_of(removed) + ": not all of the inputs have them");
 }
 
-// Reads the inputs of this rank, and prints what may be wrong with those of all.
-inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input, Ranks& ranks, Input_cloud& cloud,
-                        Run& run)
+// Reads the inputs of this rank, and prints what may be wrong with those of all. Returns the ranks that read them.
+inline std::vector<int> read_inputs(const Options& o, Ranks& ranks, Input_cloud& cloud, Run& run)
 {
+  std::vector<std::uint64_t> bytes;
+  for(const std::string& path : o.inputs) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    bytes.push_back(ranks.number_of(0, error ? 0 : size));
+  }
+  const std::vector<int> rank_of_input = share_files(bytes, ranks.size());
   CGAL::Real_timer timer;
   timer.start();
   std::vector<std::size_t> own;
@@ -91,6 +95,7 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
       throw std::runtime_error("none of the inputs has points");
     keep_attributes(ranks.common_bits(cloud.of_all), cloud.points);
   });
+  return rank_of_input;
 }
 
 // ---

@@ -31,31 +31,27 @@ inline std::string base64(std::string bytes)
 // Numbers as their bytes, least significant first, as lines of Base64.
 class Base64_lines {
 public:
-  explicit Base64_lines(std::ostream& out) : out(out), binary(bytes) {}
+  explicit Base64_lines(std::ostream& out) : out(out) {}
 
   template <class T>
   void write(T value)
   {
-    binary.write(value);
-    size += sizeof(T);
-    if(size >= line_size)
+    write_binary(bytes, value);
+    if(bytes.tellp() >= line_size)
       flush();
   }
 
   void flush()
   {
-    if(size > 0)
+    if(bytes.tellp() > 0)
       out << base64(bytes.str()) << '\n';
     bytes.str("");
-    size = 0;
   }
 
 private:
-  static constexpr std::size_t line_size = 30000;
+  static constexpr std::streamoff line_size = 30000;
   std::ostream& out;
   std::ostringstream bytes;
-  Binary_writer binary;
-  std::size_t size = 0;
 };
 
 // An element of a page that is no markup, with the numbers that write(lines) writes.
@@ -74,7 +70,8 @@ void write_numbers(std::ostream& out, const char* id, const Write& write)
 class Thinned_points {
 public:
   Thinned_points(const Point_set& points, const Shapes& shapes, std::size_t largest_size)
-    : stride(stride_of(points, largest_size)), shown(shapes.number_of_shapes() + 1)
+    : stride((std::max)(std::size_t(1), (points.size() + largest_size - 1) / largest_size)),
+      shown(shapes.number_of_shapes() + 1)
   {
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       for(std::uint32_t i : shapes.points(s))
@@ -94,11 +91,6 @@ public:
   std::vector<std::size_t> shown;       // points of each shape; at the end, of none
 
 private:
-  static std::size_t stride_of(const Point_set& points, std::size_t largest_size)
-  {
-    return (std::max)(std::size_t(1), (points.size() + largest_size - 1) / largest_size);
-  }
-
   static std::uint64_t hash(std::uint64_t x)
   {
     x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdu;
@@ -125,71 +117,48 @@ inline Kernel::Point_3 point_at(const Point_set& points, std::size_t position)
   return points.point(*(points.begin() + std::ptrdiff_t(position)));
 }
 
+// 128 + 127 d / (largest distance), for the distance d of a point to the plane of its shape.
+inline std::uint8_t distance_byte(const Shapes& shapes, const Point_set& points, std::size_t position)
+{
+  const int shape = shapes.shape_index(position);
+  if(shape < 0)
+    return 128;
+  const auto& c = shapes.coefficients(std::size_t(shape));
+  const Kernel::Point_3 p = point_at(points, position);
+  const double distance = std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3])));
+  const double share = distance / shapes.parameters().maximum_distance;
+  return std::uint8_t(128 + std::lround(127 * (std::max)(-1., (std::min)(share, 1.))));
+}
+
+using Positions = std::vector<std::uint32_t>; // in the cloud
+
 // A block has a box: its corner, relative to the center of the page, and the step of the coordinates along each axis,
-// as floats; then three 16-bit coordinates for each point; then a byte each for the distance to the plane of its shape,
-// 128 + 127 d / (largest distance).
-class Point_block_writer {
-public:
-  static constexpr std::size_t block_size = 4096;
-
-  Point_block_writer(const Point_set& points, const Shapes& shapes, const Kernel::Point_3& center)
-    : points(points), shapes(shapes), center(center)
-  {}
-
-  using Iterator = std::vector<std::uint32_t>::const_iterator; // of positions in the cloud
-
-  void write(std::ostream& out, Iterator first, Iterator last) const
-  {
-    while(first != last) {
-      const Iterator end = first + (std::min)(std::ptrdiff_t(block_size), last - first);
-      out << base64(block(first, end)) << '\n';
-      first = end;
-    }
+// as floats; then three 16-bit coordinates for each point; then a byte each for its distance.
+inline std::string block_of(const Point_set& points, const Shapes& shapes, const Kernel::Point_3& center,
+                            const Positions& positions)
+{
+  std::ostringstream bytes;
+  CGAL::Bbox_3 box;
+  for(std::size_t i : positions)
+    box += point_at(points, i).bbox();
+  std::array<double, 3> step;
+  for(int k = 0; k < 3; ++k)
+    write_binary(bytes, float(box.min(k) - center[k]));
+  for(int k = 0; k < 3; ++k) {
+    step[std::size_t(k)] = (box.max(k) - box.min(k)) / 65535;
+    write_binary(bytes, float(step[std::size_t(k)]));
   }
-
-private:
-  std::string block(Iterator first, Iterator last) const
-  {
-    std::ostringstream bytes;
-    Binary_writer binary(bytes);
-    CGAL::Bbox_3 box;
-    for(Iterator i = first; i != last; ++i)
-      box += point_at(points, *i).bbox();
-    std::array<double, 3> step;
-    for(int k = 0; k < 3; ++k)
-      binary.write(float(box.min(k) - center[k]));
+  for(std::size_t i : positions) {
+    const Kernel::Point_3 p = point_at(points, i);
     for(int k = 0; k < 3; ++k) {
-      step[std::size_t(k)] = (box.max(k) - box.min(k)) / 65535;
-      binary.write(float(step[std::size_t(k)]));
+      const double h = step[std::size_t(k)];
+      write_binary(bytes, std::uint16_t(h > 0 ? std::lround((std::min)((p[k] - box.min(k)) / h, 65535.)) : 0));
     }
-    for(Iterator i = first; i != last; ++i) {
-      const Kernel::Point_3 p = point_at(points, *i);
-      for(int k = 0; k < 3; ++k) {
-        const double h = step[std::size_t(k)];
-        binary.write(std::uint16_t(h > 0 ? std::lround((std::min)((p[k] - box.min(k)) / h, 65535.)) : 0));
-      }
-    }
-    for(Iterator i = first; i != last; ++i)
-      binary.write(distance_byte(*i));
-    return bytes.str();
   }
-
-  std::uint8_t distance_byte(std::size_t position) const
-  {
-    const int shape = shapes.shape_index(position);
-    if(shape < 0)
-      return 128;
-    const auto& c = shapes.coefficients(std::size_t(shape));
-    const Kernel::Point_3 p = point_at(points, position);
-    const double distance = std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3])));
-    const double share = distance / shapes.parameters().maximum_distance;
-    return std::uint8_t(128 + std::lround(127 * (std::max)(-1., (std::min)(share, 1.))));
-  }
-
-  const Point_set& points;
-  const Shapes& shapes;
-  Kernel::Point_3 center;
-};
+  for(std::size_t i : positions)
+    write_binary(bytes, distance_byte(shapes, points, i));
+  return bytes.str();
+}
 
 } // namespace program
 

@@ -17,40 +17,23 @@ extern const char* const page_after_data[];
 
 namespace {
 
-// --- Outlines and triangles of the shapes, and colors of the input
+// --- Outlines and triangles of the shapes
 
 using Polygon = CGAL::Tandem::Indexed_polygon;
 
-void write_loop(Base64_lines& lines, const Polygon::Loop& loop)
+// Their number, and of each its number of corners and these.
+void write_loops(Base64_lines& lines, const std::vector<Polygon>& polygons)
 {
-  lines.write(std::uint32_t(loop.size()));
-  for(std::uint32_t corner : loop)
-    lines.write(corner);
-}
-
-void write_loops(Base64_lines& lines, const Shape_areas& areas)
-{
-  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
-    std::size_t size = 0;
-    for(const Polygon& polygon : areas.polygons(s))
-      size += 1 + polygon.holes.size();
-    lines.write(std::uint32_t(size));
-    for(const Polygon& polygon : areas.polygons(s)) {
-      write_loop(lines, polygon.outer);
-      for(const Polygon::Loop& hole : polygon.holes)
-        write_loop(lines, hole);
-    }
+  std::vector<Polygon::Loop> loops;
+  for(const Polygon& polygon : polygons) {
+    loops.push_back(polygon.outer);
+    loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
   }
-}
-
-void write_triangles(Base64_lines& lines, const Shape_areas& areas)
-{
-  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
-    const auto triangles = areas.triangles(s);
-    lines.write(std::uint32_t(triangles.size()));
-    for(const auto& triangle : triangles)
-      for(std::uint32_t corner : triangle)
-        lines.write(corner);
+  lines.write(std::uint32_t(loops.size()));
+  for(const Polygon::Loop& loop : loops) {
+    lines.write(std::uint32_t(loop.size()));
+    for(std::uint32_t corner : loop)
+      lines.write(corner);
   }
 }
 
@@ -64,18 +47,18 @@ void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Poin
       for(int k = 0; k < 3; ++k)
         lines.write(float(p[k] - center[k]));
   });
-  write_numbers(out, "loops", [&](Base64_lines& lines) { write_loops(lines, areas); });
-  write_numbers(out, "triangles", [&](Base64_lines& lines) { write_triangles(lines, areas); });
-}
-
-// Three bytes for each of the positions, if the input has colors; else the element is empty.
-void write_input_colors(std::ostream& out, const Point_set& points, const std::vector<std::uint32_t>& positions)
-{
-  const auto colors = find_property<Input_color>(points, color_name);
-  write_numbers(out, "input-colors", [&](Base64_lines& lines) {
-    for(std::size_t i = 0; colors && i < positions.size(); ++i)
-      for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
-        lines.write(std::uint8_t(channel >> 8));
+  write_numbers(out, "loops", [&](Base64_lines& lines) {
+    for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+      write_loops(lines, areas.polygons(s));
+  });
+  write_numbers(out, "triangles", [&](Base64_lines& lines) {
+    for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+      const auto triangles = areas.triangles(s);
+      lines.write(std::uint32_t(triangles.size()));
+      for(const auto& triangle : triangles)
+        for(std::uint32_t corner : triangle)
+          lines.write(corner);
+    }
   });
 }
 
@@ -108,30 +91,24 @@ Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
 }
 
 // Lists: the columns of the table, and what the page takes from them in another form.
-Json json_of_shapes(const Shapes& shapes, const Json& table, const Kernel::Point_3& center)
+Json json_of_shapes(const Shapes& shapes, const Json& table, const Run& run, const Kernel::Point_3& center)
 {
+  const bool has_sides = run.normals == "given" || run.normals.find("viewpoint") != std::string::npos;
   Json json = table;
   std::vector<double> plane, centroid;
+  std::vector<int> outward; // 1 if that side is the one of the normal, -1 if it is the other one, 0 if it is not known
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const auto& c = shapes.coefficients(s);
     plane.insert(plane.end(), c.begin(), c.end());
     int axis = 0;
     for(const char* name : {"x", "y", "z"})
       centroid.push_back(table[name][s].get<double>() - center[axis++]);
+    outward.push_back(!has_sides ? 0 : shapes.is_flipped(s) ? -1 : 1);
   }
   json["coefficients"] = plane;
   json["centroid"] = centroid;
+  json["outward"] = outward;
   return json;
-}
-
-// For each shape 1 if its outward side is that of its normal, -1 if it is the other one, 0 if it is not known.
-std::vector<int> outward_sides(const Shapes& shapes, const Run& run)
-{
-  const bool are_known = run.normals == "given" || run.normals.find("viewpoint") != std::string::npos;
-  std::vector<int> sides;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    sides.push_back(!are_known ? 0 : shapes.is_flipped(s) ? -1 : 1);
-  return sides;
 }
 
 // But for the shapes.
@@ -157,12 +134,12 @@ Json json_of_scene(const Shapes& shapes, const Run& run, const Thinned_points& t
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
 // from the inside to the outside, with the blocks of each reach apart. Gives the positions as they were written.
-std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& points, const Shapes& shapes,
-                                        const Thinned_points& thinned, const CGAL::Bbox_3& box)
+Positions write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned,
+                       const CGAL::Bbox_3& box)
 {
+  constexpr std::ptrdiff_t block_size = 4096;
   const Kernel::Point_3 center = center_of(box);
-  const Point_block_writer writer(points, shapes, center);
-  std::vector<std::uint32_t> positions = thinned.positions;
+  Positions positions = thinned.positions;
   auto written = positions.begin(), next = positions.end() - std::ptrdiff_t(thinned.shown.back());
   double reach = 2 * (std::max)({box.x_span(), box.y_span(), box.z_span(), 1e-300});
   const auto is_near = [&](std::uint32_t position) {
@@ -171,8 +148,10 @@ std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& poin
   };
   for(; written != positions.end(); reach *= 64) {
     next = std::stable_partition(next, positions.end(), is_near);
-    writer.write(out, written, next);
-    written = next;
+    for(auto end = written; written != next; written = end) {
+      end += (std::min)(block_size, next - written);
+      out << base64(block_of(points, shapes, center, Positions(written, end))) << '\n';
+    }
   }
   return positions;
 }
@@ -190,17 +169,22 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   Json scene = json_of_scene(shapes, run, thinned, box);
   const Kernel::Point_3 center = center_of(box);
   const Json& table = described.table();
-  scene["shapes"] = json_of_shapes(shapes, table, center);
+  scene["shapes"] = json_of_shapes(shapes, table, run, center);
   for(const auto& column : table.items())
     scene["table"].push_back(column.key());
-  scene["shapes"]["outward"] = outward_sides(shapes, run);
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned, box);
+  const Positions positions = write_points(out, points, shapes, thinned, box);
   out << "</script>\n";
   write_areas(out, described.areas(), center);
-  write_input_colors(out, points, positions);
+  // Three bytes for each of the positions, if the input has colors; else the element is empty.
+  const auto colors = find_property<Input_color>(points, color_name);
+  write_numbers(out, "input-colors", [&](Base64_lines& lines) {
+    for(std::size_t i = 0; colors && i < positions.size(); ++i)
+      for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
+        lines.write(std::uint8_t(channel >> 8));
+  });
   write_pieces(out, page_after_data);
 }
 
