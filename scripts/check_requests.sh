@@ -16,7 +16,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 tests=$root/test/Shape_regularization_tandem
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" g++ libcgal-dev python3
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" g++ libcgal-dev libeigen3-dev libboost-test-dev python3
 cp -r "$root/include" "$folder"
 cd "$folder"
 

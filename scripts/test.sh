@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds and runs the tests. CMakePresets.json has the configurations.
-#   test.sh          style, and the preset dev: what continuous integration runs
-#   test.sh all      what takes longer as well, before a change is done: see `parts` below
+#   test.sh          style, and the preset dev: what .ci/run calls
+#   test.sh all      what takes longer as well, before an issue is resolved: see `parts` below
 #   test.sh PART...  only these
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
@@ -20,6 +20,13 @@ fail() { echo "test.sh: $*" >&2; exit 1; }
 workflow() { cmake --workflow --preset "$1"; }
 install() { [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || scripts/install_dependencies.sh "$@"; }
 
+# What every build needs, and the optional parts of nearly all.
+install_for_builds()
+{
+  install
+  install python3-pytest python3-dev python3-numpy pybind11-dev libjs-three libopenmpi-dev openmpi-bin libboost-mpi-dev
+}
+
 run_style()
 {
   install clang-format
@@ -30,9 +37,6 @@ run_style()
 
 run_dev()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || scripts/install_dependencies.sh
-  install python3-pytest python3-dev python3-numpy pybind11-dev libjs-three \
-    libopenmpi-dev openmpi-bin libboost-mpi-dev
   scripts/sample_cloud.sh build/dev/examples/Shape_regularization_tandem/building.ply ||
     echo "the sample cloud cannot be had: its examples are not run"
   workflow dev
@@ -122,6 +126,7 @@ done
 trap 'echo "test.sh: $part failed" >&2' EXIT
 mkdir -p build
 start=$(date +%s)
+[ "$*" = style ] || install_for_builds
 for part in "$@"; do
   echo "test.sh: $part, after $(($(date +%s) - start)) s"
   ("run_$part")

@@ -78,7 +78,7 @@ try {
   out.exceptions(std::ios::badbit);
   write(out);
   out.flush();
-  if(!buffer.close())
+  if(!out || !buffer.close())
     out.setstate(std::ios::badbit);
 } catch(const std::ios_base::failure&) {
   throw_error(name, ": cannot be written completely", reason_of(errno));

@@ -32,9 +32,6 @@ template <class GeomTraits, class PointRange, class PointMap, class NormalMap = 
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Tandem_traits_3 {
 public:
-  /// the tag, which selects what executes
-  using Concurrency_tag = ConcurrencyTag;
-
 #ifdef DOXYGEN_RUNNING
   /*!
   With `Mpi_tag` the communicator is duplicated, so that no message meets one of the caller: all of its processes call

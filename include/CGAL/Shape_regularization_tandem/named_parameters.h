@@ -144,12 +144,6 @@ namespace parameters {
 CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_FUNCTION)
 #undef CGAL_TANDEM_FUNCTION
 
-/// an empty list: all parameters have their defaults
-inline CGAL::parameters::Default_named_parameters default_values()
-{
-  return CGAL::parameters::Default_named_parameters();
-}
-
 } // namespace parameters
 
 #undef CGAL_TANDEM_NAMED_PARAMETERS

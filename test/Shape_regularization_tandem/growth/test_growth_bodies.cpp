@@ -134,6 +134,22 @@ BOOST_AUTO_TEST_CASE(growth_in_cells)
   });
 }
 
+// Shapes 0 to size - 1 as they may be before a pass; a live one has some point.
+template <class Is_live>
+std::vector<Shape> shapes_before(std::uint32_t size, std::uint32_t room, Is_live is_live)
+{
+  std::vector<Shape> shapes(room); // some of the room may not be used
+  for(std::uint32_t id = 0; id < size; ++id) {
+    shapes[id].age = int(id % 11);
+    shapes[id].is_active = id % 2 == 0;
+    shapes[id].history.is_fitted = true;
+    shapes[id].history.is_linked = true;
+    if(is_live(id))
+      shapes[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
+  }
+  return shapes;
+}
+
 // What a pass makes of the table: of few or many ids that are out of use, and of those that start in the pass. Each
 // live one has some point before, and every fifth one gets no other. Without room the tables have to grow.
 template <class Backend>
@@ -141,17 +157,10 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
 {
   constexpr std::uint32_t size = 60, ids = 101;
   const auto is_live = [=](std::uint32_t id) { return id < size && (id % 3 == 1) == is_sparse; };
-  std::vector<Shape> before(room); // some of the room may not be used
+  const std::vector<Shape> before = shapes_before(size, room, is_live);
   std::vector<Plane> plane(room, {0, 0, 0, 99999});
-  for(std::uint32_t id = 0; id < size; ++id) {
-    before[id].age = int(id % 11);
-    before[id].is_active = id % 2 == 0;
-    before[id].history.is_fitted = true;
-    before[id].history.is_linked = true;
-    if(is_live(id))
-      before[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
+  for(std::uint32_t id = 0; id < size; ++id)
     plane[id].d = id;
-  }
   std::vector<Shared_moments> delta(ids);
   std::vector<std::uint32_t> label = f.label;
   std::size_t new_points = 0;
