@@ -38,6 +38,9 @@ BOOST_NOINLINE void* operator new(std::size_t size)
   return memory;
 }
 
+// Without a limit, but from where it is freed to.
+BOOST_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size); }
+
 BOOST_NOINLINE void operator delete(void* memory) noexcept { std::free(memory); }
 BOOST_NOINLINE void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
