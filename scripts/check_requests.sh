@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Proves that each request of a stage for what follows from labels is needed: without it, test_requests fails. A request
-# is a table that a call of require() names, or a call of states_of(). The test is compiled once, with a copy of the
+# is a table that a call of update_tables() names, or a call of states_of(). The test is compiled once, with a copy of the
 # headers in which an environment variable drops a request.
 #   CXX  the compiler (default: g++)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -40,7 +40,7 @@ for path in sorted(pathlib.Path("include/CGAL/Tandem/internal").rglob("*.*")):
             print(number, f"{path}:{i + 1}: {call[0]}", file=requests)
             return (f"::request({number}, {call[0]})" if call[0].startswith("tables::") else
                     f"(::request({number}, 1) != 0 ? {call[0]} : points.state())")
-        tables = r"tables::[a-z]+|" if "require(points" in line else ""
+        tables = r"tables::[a-z]+|" if "update_tables(points" in line else ""
         lines[i] = re.sub(tables + r"states_of\(points, [^()]*\)", dropped, line)
     path.write_text("\n".join(lines))
 END

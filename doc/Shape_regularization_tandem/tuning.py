@@ -73,7 +73,7 @@ def print_aliases():
 
 
 def print_page():
-    intro = without_slashes((FOLDER / "Share.h").read_text().split("\n\n")[0].splitlines()[3:])
+    intro = without_slashes((FOLDER / "Ratio.h").read_text().split("\n\n")[0].splitlines()[3:])
     print("/*!\n\\page Tandem_numbers The Numbers of the Method\n\n\\cgalAutoToc\n\n\\details\n" + escaped(intro))
     for namespace, about, rows in namespaces():
         print(f"\n\\section Tandem_numbers_{namespace} {namespace.replace('_', ' ').capitalize()}\n\n{escaped(about)}")
@@ -84,7 +84,7 @@ def print_page():
     print("\n\\tandemPages{Tandem_method,Tandem_guarantees}\n*/")
 
 
-if {path.stem for path in FOLDER.glob("*.h")} != {*HEADERS, "Share"}:
+if {path.stem for path in FOLDER.glob("*.h")} != {*HEADERS, "Ratio"}:
     sys.exit("tuning.py: it does not know all headers of " + str(FOLDER))
 if sum(path.read_text().count("\nconstexpr ") for path in FOLDER.glob("*.h")) != \
         sum(len(constants) for _, _, rows in namespaces() for _, constants in rows):

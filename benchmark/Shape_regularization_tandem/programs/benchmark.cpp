@@ -36,7 +36,7 @@ std::string help(const po::options_description& options)
   return text.str();
 }
 
-po::options_description make_options(Command_line& line)
+po::options_description make_stage_parameters(Command_line& line)
 {
   Experiment_options& o = line.options;
   po::options_description visible("Options");
@@ -53,7 +53,7 @@ po::options_description make_options(Command_line& line)
 Command_line parse(int argc, char** argv)
 {
   Command_line line;
-  const po::options_description visible = make_options(line);
+  const po::options_description visible = make_stage_parameters(line);
   po::options_description all;
   all.add(visible).add_options()("subcommand", po::value(&line.experiment))("argument",
                                                                             po::value(&line.options.arguments));

@@ -19,7 +19,7 @@ namespace CGAL::Tandem {
 
 namespace internal {
 
-inline Regularity_options check_plane_options(const Parameters& p, bool has_distance)
+inline Regularity_parameters check_plane_options(const Parameters& p, bool has_distance)
 {
   if(!(p.maximum_angle >= 0 && p.maximum_angle < 45))
     throw_out_of_range("maximum_angle", p.maximum_angle, "[0, 45) degrees");

@@ -243,9 +243,9 @@ struct Rank_backend : Backend {};
 } // namespace archetypes
 
 // Ranks, the processes that have parts of one cloud; without a word of the method. All ranks call the same operations in
-// the same order, but for share(), ghosts() and number(), which send nothing. Made from a back end:
+// the same order, but for own_items(), ghosts() and number(), which send nothing. Made from a back end:
 //   are_many                   whether there are others: what is for them only is compiled then
-//   share()                    the items that all ranks have and of which this one does the work, an Own_share
+//   own_items()                    the items that all ranks have and of which this one does the work, an Own_items
 //   together(f)                f(); where it throws, all ranks throw the same exception, instead of waiting for each other
 //   total(n), total(list)      the sum of the numbers of all ranks, or of each of a list, on the host
 //   sum(table, n)              the same for the integers of a table where the functors run

@@ -7,7 +7,7 @@
 #include "testing/random_points.h"
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/engine/make_options.h>
+#include <CGAL/Tandem/internal/engine/make_stage_parameters.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>

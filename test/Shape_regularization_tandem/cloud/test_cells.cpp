@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(exact_check)
   in.grid.step = std::ldexp(1, -12);
   in.grid.origin = {4000 + 5 * in.grid.step, -777, 13};
   Parameters parameters = make_parameters(1.3 * 1024 * in.grid.step, 10);
-  const Options options = make_options(in, parameters);
+  const Stage_parameters options = make_stage_parameters(in, parameters);
   const double epsilon = parameters.maximum_distance;
   Sequential_backend backend;
   int kept = 0, freed = 0;

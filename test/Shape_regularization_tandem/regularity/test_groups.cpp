@@ -45,7 +45,7 @@ Shape_fits random_plates(Random& random, int n, int centers, double spread)
 // The groups of the definition. In each step all groups look at all that are heavier, in the order of weight.
 class Naive_groups {
 public:
-  Naive_groups(const Shape_fits& shapes, const Regularity_options& options)
+  Naive_groups(const Shape_fits& shapes, const Regularity_parameters& options)
     : shapes_(shapes), options_(options), sine_(sine_deg(options.angle_tolerance_deg))
   {
     for(const Vector& d : options.fixed_directions)
@@ -99,14 +99,14 @@ private:
   }
 
   const Shape_fits& shapes_;
-  const Regularity_options& options_;
+  const Regularity_parameters& options_;
   double sine_;
 };
 
 // With a price that grows with the points.
-Regularity_options random_options(Random& random)
+Regularity_parameters random_options(Random& random)
 {
-  Regularity_options o = all_on(std::exp(8 * random.uniform()));
+  Regularity_parameters o = all_on(std::exp(8 * random.uniform()));
   o.freedom.per_point = .01;
   return o;
 }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(parallel_groups)
   for(int seed = 0; seed < 80; ++seed) {
     Random random(seed);
     const Shape_fits shapes = random_plates(random, 150, 1 + random.below(12), 4 * random.uniform());
-    Regularity_options o = random_options(random);
+    Regularity_parameters o = random_options(random);
     o.angle_tolerance_deg = std::vector<double>{8, 3, 20, 44}[std::size_t(seed % 4)];
     for(int i = seed % 3; i > 0; --i)
       o.fixed_directions.push_back(canonical(shapes[std::size_t(i)].fit.normal));
@@ -150,7 +150,7 @@ struct Naive_plane {
 
 // The same of planes with normal z and these offsets.
 std::vector<Naive_plane> naive_planes(const Shape_fits& shapes, const Regular_planes& plane,
-                                      const Regularity_options& o)
+                                      const Regularity_parameters& o)
 {
   std::vector<Naive_plane> groups;
   for(int i : all_of(shapes)) {
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(coplanar_groups)
       shapes.push_back(make_shape({{0, 0, 1}, {0, 0, z}, 9 * epsilon, 9 * epsilon, .2 * epsilon, count}));
       plane.push_back(through_centroid(shapes.back(), {0, 0, 1}));
     }
-    const Regularity_options o = random_options(random);
+    const Regularity_parameters o = random_options(random);
     std::vector<int> group_of(shapes.size(), -1);
     Regular_planes moved = plane;
     Coplanar_groups(shapes, std::vector<int>(shapes.size(), 0), o).fit(moved, group_of);
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(losses)
   for(int seed = 0; seed < 100; ++seed) {
     Random random(seed);
     const Shape_fits shapes = random_plates(random, 200, 1 + random.below(20), 4 * random.uniform());
-    Regularity_options o = random_options(random);
+    Regularity_parameters o = random_options(random);
     if(seed % 4 == 0)
       o.fixed_directions = o.symmetry_axis = {{0, 0, 1}};
     std::vector<Direction_group> groups = Parallel_groups(shapes, o)(all_of(shapes));

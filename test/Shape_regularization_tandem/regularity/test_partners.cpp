@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(stars)
 // direction becomes that one.
 class Fixed_pair {
 public:
-  explicit Fixed_pair(const Regularity_options& options)
+  explicit Fixed_pair(const Regularity_parameters& options)
     : options_(options), searched_(options, 0), listed_(options, std::size_t(-1))
   {}
 
@@ -122,7 +122,7 @@ private:
     return result;
   }
 
-  const Regularity_options& options_;
+  const Regularity_parameters& options_;
   Fixed_directions searched_, listed_;
   Directions fixed_;
 };
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(partners)
 {
   std::size_t chained = 0, merged = 0;
   for_each_family(300, 12, [&](const std::string&, Random& random, const Directions& d) {
-    Regularity_options options;
+    Regularity_parameters options;
     options.maximum_distance = 1;
     options.freedom.per_point = 1 + 100 * random.uniform();
     Fixed_pair fixed(options);

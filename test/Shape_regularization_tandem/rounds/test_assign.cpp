@@ -37,7 +37,7 @@ class Slow_assignment {
 public:
   Fixture f;
   const std::uint32_t first; // position of the first point in the cloud of all ranks
-  Options options = Options();
+  Stage_parameters options = Stage_parameters();
 
   Slow_assignment(const Fixture& fixture, std::uint32_t first_position, Twins twins, Counts& counts)
     : f(fixture), first(first_position), is_of_one_plane_(twins != Twins::of_two_planes), counts_(counts)

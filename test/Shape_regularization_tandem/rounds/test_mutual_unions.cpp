@@ -34,9 +34,9 @@ constexpr double epsilon = 60; // in grid steps
 
 const std::uint32_t upright = encode_normal({0, 0, 1});
 
-Options union_options(std::int64_t minimum_size = 100)
+Stage_parameters union_options(std::int64_t minimum_size = 100)
 {
-  Options o = Options();
+  Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), 12);
   o.maximum_distance = epsilon;
   o.squared_cosine = cosine_deg(25) * cosine_deg(25);
@@ -103,7 +103,7 @@ using Fragments = std::vector<Fragment>;
 // The definition, by all points.
 class Slow_gain {
 public:
-  explicit Slow_gain(const Options& options) : options_(options) {}
+  explicit Slow_gain(const Stage_parameters& options) : options_(options) {}
 
   // The first one is the larger one. Sets whether the result is near the limit of a decision.
   Verdict verdict(const Fragment& a, const Fragment& b, std::uint32_t links, bool& is_close) const
@@ -173,7 +173,7 @@ private:
     return v;
   }
 
-  Options options_;
+  Stage_parameters options_;
 };
 
 // Up to 64 points of a square on a plane, with noise; some normals lean too much for the plane. Coordinates are
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(gains)
   std::mt19937 random(11);
   for(int repetition = 0; repetition < 8000; ++repetition) {
     const std::string where = "case " + std::to_string(repetition);
-    const Options options = union_options(random() % 4 == 0 ? 200 : 20);
+    const Stage_parameters options = union_options(random() % 4 == 0 ? 200 : 20);
     const Union_gain gain(options);
     const int octaves = int(random() % 3), factor = 1 << octaves, n = 3 + int(random() % 62),
               m = 3 + int(random() % 62);
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(samples)
         set_labels(points, label);
         auto shapes = make_table(backend, std::vector<Shape>(n));
         shapes.lose_moments();
-        require(points, shapes, tables::moments);
+        update_tables(points, shapes, tables::moments);
         const auto got = sample_shapes(points, shapes);
         for(std::size_t s = 0; s < n; ++s) {
           const std::string where = name + ", shape " + std::to_string(s) + " of " + std::to_string(all[s].size());

@@ -34,7 +34,7 @@ struct Slow_split {
 };
 
 // The definition: all shapes that may split, by rising id.
-std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& shape, const Options& options,
+std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& shape, const Stage_parameters& options,
                                     std::uint32_t first)
 {
   const Split_gain gain(options);
@@ -84,7 +84,7 @@ void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
                   const std::string& where)
 {
   CHECK_AT(shapes.has_moments(), where + ": moments have to be made again");
-  require(points, shapes, tables::fits | tables::lists);
+  update_tables(points, shapes, tables::fits | tables::lists);
   const std::vector<Shape> expected = fitted_shapes(f, shapes.size);
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
     const Fitted_moments &got = shapes.fitted()[id], &e = expected[id];
@@ -106,7 +106,7 @@ void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
 // not although they would gain by their planes.
 std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
 {
-  Options options = Options();
+  Stage_parameters options = Stage_parameters();
   options.score = Score(30, f.cloud.k);
   options.minimum_region_size = 30;
   options.maximum_distance = double(f.tolerance.distance) / normal_scale;
@@ -133,7 +133,7 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
     set_labels(points, f.label, f.state);
     auto shapes = make_table(backend, shape);
     shapes.plane = to_buffer(backend, f.plane);
-    require(points, shapes, tables::fits | tables::lists);
+    update_tables(points, shapes, tables::fits | tables::lists);
     split_shapes(points, shapes, options);
     check_equal(shapes.size, after.plane.size(), where + ": number of shapes");
     if(shapes.size != after.plane.size())
@@ -167,9 +167,9 @@ BOOST_AUTO_TEST_CASE(bodies)
 constexpr double epsilon = 60; // grid steps
 constexpr std::int64_t minimum_size = 100;
 
-Options split_options(int k)
+Stage_parameters split_options(int k)
 {
-  Options o = Options();
+  Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), k);
   o.minimum_region_size = minimum_size;
   o.maximum_distance = epsilon;
@@ -213,7 +213,7 @@ struct Scene {
 // The definition of what a split gains, without links, in units of the score: as many points as the shape has are like
 // those of the sample. And its standard deviation, which is 0 for all points.
 std::pair<double, double> slow_gain(const std::vector<Sampled_point>& sample, const Shape& shape, const Split& split,
-                                    const Options& o)
+                                    const Stage_parameters& o)
 {
   const auto weight = [&](const Plane& plane, const Grid_point& p) {
     const double d = double(signed_distance(plane, p)) / double(o.growth.tolerance.distance);
@@ -240,7 +240,7 @@ std::pair<double, double> slow_gain(const std::vector<Sampled_point>& sample, co
 // first part of the best split is the larger one; where there are faces, each part has the points of one.
 bool gains(const Scene& scene, std::size_t sample_size)
 {
-  const Options options = split_options(12);
+  const Stage_parameters options = split_options(12);
   Shape shape;
   std::vector<Sampled_point> sample;
   for(const Grid_point& p : scene.point) {

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(sums_and_lists)
       }
       auto shapes = make_table(backend, shape);
       shapes.lose_moments();
-      require(points, shapes, tables::moments | tables::lists);
+      update_tables(points, shapes, tables::moments | tables::lists);
       std::vector<Shared_moments> expected(shape.size());
       for(std::uint32_t i = 0; i < label.size(); ++i)
         if(label[i] < first_mark)

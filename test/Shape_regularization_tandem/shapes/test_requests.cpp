@@ -131,7 +131,7 @@ Outcome outcome(const Stage& stage, bool is_spoilt)
   engine.iterate();
   State& t = engine.state();
   Link_buffer links = collect_links(t.points, t.shapes, Links::all, Phase::end);
-  require(t.points, t.shapes, tables::fits);
+  update_tables(t.points, t.shapes, tables::fits);
   if(is_spoilt)
     spoil(t);
   stage(t, links);

@@ -50,16 +50,16 @@ inline Shape_fit make_shape(const Rectangle& r)
 }
 
 // price: of a degree of freedom, in points, whatever the size of the shape.
-inline Regularity_options all_on(double price = 20)
+inline Regularity_parameters all_on(double price = 20)
 {
-  Regularity_options o;
+  Regularity_parameters o;
   o.angle_tolerance_deg = 8;
   o.maximum_offset = o.maximum_distance = epsilon;
   o.freedom.least = price;
   return o;
 }
 
-inline Relations run(const Shape_fits& shapes, const Regularity_options& options = all_on())
+inline Relations run(const Shape_fits& shapes, const Regularity_parameters& options = all_on())
 {
   return regularize(shapes, std::vector<char>(shapes.size(), 0), options);
 }
@@ -72,7 +72,7 @@ inline Shape_fits make_shapes(const std::vector<Rectangle>& rectangles)
   return shapes;
 }
 
-inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_options& options = all_on())
+inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_parameters& options = all_on())
 {
   return run(make_shapes(rectangles), options);
 }

@@ -56,7 +56,7 @@ private:
 // --- The ranks themselves.
 
 // The items of a table that all ranks have, of which this rank does the work.
-struct Own_share {
+struct Own_items {
   std::uint32_t rank = 0, ranks = 1;
 
   CGAL_TANDEM_HD bool has(std::size_t i) const { return i % ranks == rank; }
@@ -73,7 +73,7 @@ public:
 
   explicit Ranks(Backend&) {}
 
-  Own_share share() const { return {}; }
+  Own_items own_items() const { return {}; }
 
   template <class F>
   auto together(F f) const

@@ -18,7 +18,7 @@ namespace CGAL::Tandem::internal {
 // The value that a share of the values of all ranks is below: byte by byte, from counts, which do not depend on the order
 // of the values. There has to be one.
 template <class Ranks, class F>
-double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Share& share)
+double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Ratio& share)
 {
   std::uint64_t rank = 0, found = 0;
   for(int bits = 56; bits >= 0; bits -= 8) {
@@ -51,7 +51,7 @@ void drop_far_points(const Ranks& ranks, Import& in, double epsilon)
   if(!(in.box.extent() > largest))
     return;
   in.drop_upload();
-  constexpr tuning::Share half = {1, 2};
+  constexpr tuning::Ratio half = {1, 2};
   const auto median = [&](auto coordinate) {
     return quantile_of_all(
       ranks, in.size(), [&](std::size_t i) { return coordinate(in.position(i)); }, half);

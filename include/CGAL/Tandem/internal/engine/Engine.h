@@ -143,7 +143,7 @@ template <class Backend>
 Shape_relations Engine<Backend>::relate_shapes(Buffer_of<Backend, Link>& links)
 {
   merge_by_gain(state_.points, state_.shapes, state_.options, links);
-  const Options& options = state_.options;
+  const Stage_parameters& options = state_.options;
   const bool is_due = (state_.round + 1) % options.regularity_period == 0;
   return regularize_shapes(state_.points, state_.shapes, options, {is_due, options.minimum_related_size});
 }
@@ -190,7 +190,7 @@ bool Engine<Backend>::iterate()
 {
   Labeled_cloud<Backend>& points = state_.points;
   Shape_table<Backend>& shapes = state_.shapes;
-  const Options& options = state_.options;
+  const Stage_parameters& options = state_.options;
   if(!is_prepared_)
     return false;
   Stage_timer growth(times_.growth);

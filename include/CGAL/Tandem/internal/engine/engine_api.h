@@ -76,7 +76,7 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
 
 template <class Backend>
 Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
-                              Regularity_options options, std::vector<Coefficients>& planes);
+                              Regularity_parameters options, std::vector<Coefficients>& planes);
 
 } // namespace CGAL::Tandem::internal
 

@@ -10,15 +10,15 @@
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
-#include <CGAL/Tandem/internal/engine/make_options.h>
+#include <CGAL/Tandem/internal/engine/make_stage_parameters.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <chrono>
 
@@ -27,13 +27,13 @@ namespace CGAL::Tandem::internal {
 // --- What the rounds change. Only prepare() takes all of it; the other stages take the parts that they read and write, so
 // that their signatures show what they may change.
 
-// Options are constant after prepare(), but for the seeds in flight. Between rounds, labels are ids of live shapes, or
+// These parameters are constant after prepare(), but for the seeds in flight. Between rounds, labels are ids of live shapes, or
 // the point is free. Moments are those of the points with that label.
 template <class Backend>
 struct Tandem_state {
   explicit Tandem_state(Backend& backend) : points(backend) {}
 
-  Options options;
+  Stage_parameters options;
   Labeled_cloud<Backend> points;
   Seeds<Backend> seeds;
   Shape_table<Backend> shapes;
@@ -96,7 +96,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
 {
   Labeled_cloud<Backend>& points = t.points;
   Backend& backend = points.backend;
-  t.options = make_options(in, parameters);
+  t.options = make_stage_parameters(in, parameters);
   points.cloud.k = int(parameters.k_neighbors);
   if(points.ranks.total(in.size()) == 0)
     return false;

@@ -163,7 +163,7 @@ private:
     std::uint64_t component, index;
   };
 
-  bool is_own(std::uint64_t number) const { return number >> 32 == ranks_.share().rank; }
+  bool is_own(std::uint64_t number) const { return number >> 32 == ranks_.own_items().rank; }
 
   const Seam* at(std::uint32_t root) const
   {

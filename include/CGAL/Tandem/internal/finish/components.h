@@ -14,7 +14,7 @@
 #include <CGAL/Tandem/internal/finish/Seams.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 
 #include <algorithm>
 #include <vector>

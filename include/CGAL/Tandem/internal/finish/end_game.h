@@ -14,7 +14,7 @@
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
@@ -39,7 +39,8 @@ struct Free_small_components {
 
 // Afterwards each shape has the minimum size, or no point at all. Moments do not follow.
 template <class Backend>
-void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                           const Stage_parameters& options)
 {
   const std::size_t n = points.cloud.size();
   Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
@@ -71,7 +72,7 @@ template <class Backend>
 void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::moments);
+  update_tables(points, shapes, tables::moments);
   for_each_shape(backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
   const auto is_checked = filled_buffer(backend, shapes.size, std::uint8_t(1));
   update_points(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
@@ -94,13 +95,13 @@ struct Fit_plane {
 template <class Backend>
 void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  require(points, shapes, tables::fits);
+  update_tables(points, shapes, tables::fits);
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
 // Shapes split, points go where they are worth most, and shapes unite, in turn, where that gains.
 template <class Backend>
-void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
 {
   for(int round = 0; round < tuning::moves::rounds; ++round) {
@@ -121,7 +122,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
 // Near edges, estimated normals are blended. Points go to their side of the edge. Then the normals near edges are those
 // of one shape, and points that do not fit with them are free.
 template <class Backend>
-void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   const Tolerance& tolerance = options.growth.tolerance;
   choose_sides(points, shapes, tolerance);
@@ -132,8 +133,8 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 // The last regularization. Touching shapes of one plane are one, and points are assigned by the planes of the relations.
 // Returns the relations, by shape.
 template <class Backend>
-Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                   Assignment<Backend>& assign)
+Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                   const Stage_parameters& options, Assignment<Backend>& assign)
 {
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
@@ -147,11 +148,11 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
 
 // The offsets of planes become those that fit the points of their shapes best. Points that do not fit any more are free.
 template <class Backend>
-void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Shape_relations& relations)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::fits);
+  update_tables(points, shapes, tables::fits);
   center_planes(summarize(backend, shapes, to_buffer(backend, relations.id)), relations.relations);
   apply_relations(backend, shapes, relations);
   detach_misfits(points, shapes, options.growth.tolerance);
@@ -161,7 +162,7 @@ void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 // Returns the relations of the live shapes. It runs to its end even if the callback cancels, so that what it has is
 // verified.
 template <class Backend>
-Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                          Progress& progress)
 {
   const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };

@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
@@ -75,7 +75,7 @@ struct Growth_input {
   Cloud_view cloud;
   Shapes_view shapes;
   Labels_view labels;
-  Growth_options options;
+  Growth_parameters options;
 };
 
 // All members are called by all lanes of the block, but for those that are called within its functors. The queue has
@@ -389,7 +389,7 @@ private:
   const Cell_job job_;
   const Cloud_view cloud_;
   const Shapes_view shapes_;
-  const Growth_options options_;
+  const Growth_parameters options_;
   std::uint32_t* label_;
   std::uint8_t* state_;
 };

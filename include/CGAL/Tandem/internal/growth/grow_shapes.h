@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/growth/grow_cell.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 #include <algorithm>
@@ -130,7 +130,7 @@ struct Grow_cells {
   Cloud_view cloud;
   Shapes_view shapes;
   Labels_view labels;
-  Growth_options options;
+  Growth_parameters options;
   Cell_tables tables;
   std::uint32_t first_new; // the ids from here on are those of new shapes, so many for each cell as may start there
 
@@ -175,10 +175,10 @@ struct Copy_for_growth {
 // start, so that cells need no common counter, and new ids follow from the order of cells and seeds.
 template <class Backend>
 std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                       const Growth_options& options)
+                       const Growth_parameters& options)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::moments | tables::lists); // the pass adds to the moments
+  update_tables(points, shapes, tables::moments | tables::lists); // the pass adds to the moments
   Border<Backend>& border = points.border;
   const std::size_t cells = points.number_of_cells();
   const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);
@@ -342,7 +342,7 @@ std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_ta
                    Gather_items<Shared_moments>{shapes.delta.data() + shapes.size, started.data(), sums.data()});
   std::vector<std::size_t> first;
   const std::vector<Shared_moments> all = ranks.gather(to_vector(backend, sums), &first);
-  const std::size_t end = ids + all.size() - own.size(), own_first = first[ranks.share().rank];
+  const std::size_t end = ids + all.size() - own.size(), own_first = first[ranks.own_items().rank];
   if(end >= first_mark)
     throw std::length_error("there are more than 2^31 shapes while they grow: minimum_region_size is too small");
   std::vector<Shared_moments> others;
@@ -424,7 +424,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
 // Runs one pass of growth, from proposals to the table of shapes. Returns the number of points that were free before.
 template <class Backend>
 std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                        const Growth_options& options)
+                        const Growth_parameters& options)
 {
   return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
 }

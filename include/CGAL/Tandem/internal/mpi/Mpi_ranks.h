@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What connects the ranks: the operations of backend/Ranks.h for many processes. Each is called by all ranks, at the
-// same place of the method, except those without a message: share(), ghosts() and number(). See the manual, "Many
+// same place of the method, except those without a message: own_items(), ghosts() and number(). See the manual, "Many
 // Machines".
 
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
@@ -25,7 +25,7 @@ public:
 
   explicit Ranks(Backend& backend) : backend_(&backend) {}
 
-  Own_share share() const { return {std::uint32_t(communicator().rank()), std::uint32_t(communicator().size())}; }
+  Own_items own_items() const { return {std::uint32_t(communicator().rank()), std::uint32_t(communicator().size())}; }
 
   template <class F>
   auto together(F f) const

@@ -218,7 +218,7 @@ namespace internal {
 namespace normals {
 
 using namespace tuning::normals;
-using tuning::Share;
+using tuning::Ratio;
 
 constexpr float no_plane = 1e30f; // instead of an error
 
@@ -301,7 +301,7 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
 // than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
 CGAL_TANDEM_HD inline float effective_points(int k, int scale)
 {
-  constexpr Share growth = independent_growth;
+  constexpr Ratio growth = independent_growth;
   return to_float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / to_float(growth.denominator);
 }
 

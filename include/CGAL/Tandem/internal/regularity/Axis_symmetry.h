@@ -31,7 +31,7 @@ struct Axis_angle {
 class Axis_symmetry {
 public:
   // axis: a unit vector. A group may be turned at the price of a degree of freedom.
-  Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, const Regularity_options& options)
+  Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, const Regularity_parameters& options)
     : groups(groups), axis(axis), options(options)
   {
     for(const Direction_group& g : groups)
@@ -148,7 +148,7 @@ private:
 
   std::vector<Direction_group>& groups;
   Vector axis;
-  const Regularity_options& options;
+  const Regularity_parameters& options;
   Great_circle_index circles; // of the directions of all groups, before any turns
 };
 

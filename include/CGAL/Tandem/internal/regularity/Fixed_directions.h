@@ -361,7 +361,7 @@ public:
   // To look at so few directions takes less time than a search.
   static constexpr std::size_t few_directions = 128;
 
-  explicit Fixed_directions(const Regularity_options& options, std::size_t few = few_directions)
+  explicit Fixed_directions(const Regularity_parameters& options, std::size_t few = few_directions)
     : options(options), few(few)
   {}
 
@@ -469,7 +469,7 @@ private:
     return std::get<2>(first);
   }
 
-  const Regularity_options& options;
+  const Regularity_parameters& options;
   std::size_t few;
   std::size_t known = 0; // directions of earlier stars
   std::vector<Fixed_direction> fixed;

@@ -133,7 +133,7 @@ private:
 class Frames {
 public:
   // A right angle may cost the points of a group as much as the degree of freedom is worth that it saves.
-  Frames(std::vector<Direction_group>& groups, const Regularity_options& options)
+  Frames(std::vector<Direction_group>& groups, const Regularity_parameters& options)
     : groups(groups), options(options), fixed(options)
   {}
 
@@ -270,7 +270,7 @@ private:
   }
 
   std::vector<Direction_group>& groups;
-  const Regularity_options& options;
+  const Regularity_parameters& options;
   Fixed_directions fixed;
 };
 

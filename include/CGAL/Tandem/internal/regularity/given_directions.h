@@ -53,10 +53,10 @@ inline Vector symmetry_axis(const Parameters& p)
 }
 
 // step: the unit of lengths. minimum_size: of a shape, in points. The axis of symmetry is a fixed direction, too.
-inline Regularity_options make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step,
-                                                  double minimum_size)
+inline Regularity_parameters make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step,
+                                                     double minimum_size)
 {
-  Regularity_options options;
+  Regularity_parameters options;
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;

@@ -31,7 +31,7 @@ namespace CGAL::Tandem::internal {
 class Coplanar_groups {
 public:
   // direction: by shape, the number of the direction that it shares; -1 if none.
-  Coplanar_groups(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_options& options)
+  Coplanar_groups(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_parameters& options)
     : shapes_(shapes), direction_(direction), options_(options)
   {}
 
@@ -121,7 +121,7 @@ private:
 
   const Shape_fits& shapes_;
   const std::vector<int>& direction_;
-  const Regularity_options& options_;
+  const Regularity_parameters& options_;
 };
 
 // --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
@@ -131,7 +131,7 @@ private:
 // it at which it gains most, unless that has joined another one itself. Then groups are fitted again, until none joins.
 class Parallel_groups {
 public:
-  Parallel_groups(const Shape_fits& shapes, const Regularity_options& options)
+  Parallel_groups(const Shape_fits& shapes, const Regularity_parameters& options)
     : shapes_(shapes), options_(options), sine_(sine_deg(options.angle_tolerance_deg))
   {}
 
@@ -203,7 +203,7 @@ private:
   }
 
   const Shape_fits& shapes_;
-  const Regularity_options& options_;
+  const Regularity_parameters& options_;
   double sine_; // of the angle within which shapes may be parallel
 };
 
@@ -257,7 +257,7 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
 }
 
 // Sets the directions of the groups, with right angles and symmetry where they are enabled.
-inline void set_directions(std::vector<Direction_group>& groups, const Regularity_options& options)
+inline void set_directions(std::vector<Direction_group>& groups, const Regularity_parameters& options)
 {
   if(options.orthogonality)
     Frames(groups, options).tie();
@@ -270,7 +270,7 @@ inline void set_directions(std::vector<Direction_group>& groups, const Regularit
 
 // Shapes that their group turns by more than the tolerance, or at more than a direction is worth, get groups of their
 // own, of their own fits. Unions of unions may turn a shape so far, and right angles of their direction.
-inline void release_shapes(const Shape_fits& shapes, const Regularity_options& options,
+inline void release_shapes(const Shape_fits& shapes, const Regularity_parameters& options,
                            std::vector<Direction_group>& groups)
 {
   const double sine = sine_deg(options.angle_tolerance_deg);
@@ -307,7 +307,7 @@ struct Until {
 
 // By shape: whether it keeps its own direction although another one is within the angle.
 inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vector<Direction_group>& groups,
-                                       const Regularity_options& options)
+                                       const Regularity_parameters& options)
 {
   std::vector<char> is_rejected(shapes.size(), 0);
   const double sine = sine_deg(options.angle_tolerance_deg);
@@ -331,7 +331,7 @@ inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vect
 // is_excluded: by shape; those keep their local fits and get no relations. The same holds for shapes without points or
 // without a normal. finds_rejected: whether Relations::is_rolled_back is asked for.
 inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_excluded,
-                            const Regularity_options& options, bool finds_rejected = true)
+                            const Regularity_parameters& options, bool finds_rejected = true)
 {
   // Normals are unit or null; 0.5 separates them whatever the rounding.
   std::vector<int> active;

@@ -105,7 +105,7 @@ inline Input_planes input_planes(const Import& in, const std::vector<int>& plane
 
 // Without points, or without noise and offset, any positive length serves.
 inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
-                                       const std::vector<Coefficients>& planes, const Regularity_options& options)
+                                       const std::vector<Coefficients>& planes, const Regularity_parameters& options)
 {
   if(options.maximum_distance > 0)
     return options.maximum_distance;
@@ -175,7 +175,7 @@ inline void measure_planes(const Import& in, const std::vector<int>& plane_of, c
 // All but reading from and writing to the caller's ranges. `planes` are replaced; their normals are unit or null then.
 template <class Backend>
 Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
-                              Regularity_options options, std::vector<Coefficients>& planes)
+                              Regularity_parameters options, std::vector<Coefficients>& planes)
 {
   for(Coefficients& c : planes)
     c = normalized(c);

@@ -104,7 +104,7 @@ private:
 // Of a shape with these counts.
 inline bool is_slab(const std::uint64_t* counts)
 {
-  constexpr tuning::Share least = tuning::moves::near_neighbors;
+  constexpr tuning::Ratio least = tuning::moves::near_neighbors;
   return !least.is_reached(std::int64_t(counts[neighbor_counts::near]), std::int64_t(counts[neighbor_counts::all]));
 }
 

@@ -99,7 +99,7 @@ class Shape_extractor {
   using Buffer = typename Backend::template Buffer<T>;
 
 public:
-  Shape_extractor(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+  Shape_extractor(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Stage_parameters& options,
                   const Shape_relations& relations, const Import& in)
     : points_(points), backend_(points.backend), shapes_(shapes), options_(options), relations_(relations), in_(in),
       label_(points.cloud.size_with_ghosts())
@@ -268,7 +268,7 @@ private:
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
   const Shape_table<Backend>& shapes_;
-  const Options& options_;
+  const Stage_parameters& options_;
   const Shape_relations& relations_;
   const Import& in_;
   Buffer<std::uint32_t> label_;       // of surfels: entry of the relations
@@ -279,8 +279,8 @@ private:
 };
 
 template <class Backend>
-Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                             const Shape_relations& relations, const Import& in)
+Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
+                             const Stage_parameters& options, const Shape_relations& relations, const Import& in)
 {
   return Shape_extractor<Backend>(points, shapes, options, relations, in).extract();
 }

@@ -10,7 +10,7 @@
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <algorithm>
 #include <cmath>

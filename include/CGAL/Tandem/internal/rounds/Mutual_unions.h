@@ -13,7 +13,7 @@
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -53,7 +53,7 @@ struct Verdict {
 // most of the error of a sample cancels out. A union has to gain more than the standard deviation of the rest.
 class Union_gain {
 public:
-  explicit Union_gain(const Options& options)
+  explicit Union_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance),
       per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance))
   {
@@ -144,7 +144,7 @@ private:
     const Plane before = rounded(s.fitted.local), after = rounded(candidate);
     const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0, per_own_square = per_square(s);
     double sum = 0, squares = 0;
-    constexpr tuning::Share most = tuning::moves::misfits_of_union;
+    constexpr tuning::Ratio most = tuning::moves::misfits_of_union;
     std::int64_t misfits = 0, misfits_before = 0;
     bool has_misfits = s.sample.size == 0;
     for(std::uint32_t first = 0; first < s.sample.size && !has_misfits; first += Lane_group::size()) {
@@ -278,7 +278,7 @@ struct Union_rounds {
   Fitted_moments* whole;  // the unions, in any order
   std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity
   std::uint32_t* total;   // the number of rounds, and that of the unions
-  Own_share own;          // of the pairs, and of the shapes
+  Own_items own;          // of the pairs, and of the shapes
 
   // Only tests and fits are worth several threads where there are few.
   static constexpr std::size_t few(int step) { return step == test || step == fit ? 64 : 4096; }

@@ -9,7 +9,7 @@
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/base/keys.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 namespace CGAL::Tandem::internal {
 
@@ -259,7 +259,7 @@ void join_samples(Backend& backend, const Ranks<Backend>& ranks, Shape_samples<B
   const std::vector<Sent_sample> all = ranks.gather(std::move(own), &first);
   for(std::size_t rank = 0; rank + 1 < first.size(); ++rank) {
     Shape_sample part = {};
-    for(std::size_t i = first[rank]; rank != ranks.share().rank && i < first[rank + 1]; ++i) {
+    for(std::size_t i = first[rank]; rank != ranks.own_items().rank && i < first[rank + 1]; ++i) {
       part.item[part.size++] = all[i].item;
       if(i + 1 < first[rank + 1] && all[i + 1].shape == all[i].shape)
         continue;

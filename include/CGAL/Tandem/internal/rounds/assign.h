@@ -12,8 +12,8 @@
 #include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <utility>
 
@@ -354,9 +354,9 @@ public:
 
   // Planes are those of the table that is rounded for the tests of points. What a shape gains by one point more follows
   // from its size at the beginning.
-  void operator()(Shape_table<Backend>& shapes, const Options& options)
+  void operator()(Shape_table<Backend>& shapes, const Stage_parameters& options)
   {
-    require(points_, shapes, tables::moments);
+    update_tables(points_, shapes, tables::moments);
     Buffer<Assigned_shape> assigned(shapes.size);
     for_each_shape(backend_, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});

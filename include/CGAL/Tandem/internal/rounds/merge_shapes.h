@@ -13,7 +13,7 @@
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 namespace CGAL::Tandem::internal {
@@ -237,7 +237,7 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   run_unions(backend, ranks, (std::max)(n, links.size()),
              Union_rounds<Backend>{judge.gain, pair.data(), links.size(), n, shapes.fitted(), judge.samples.data(),
                                    unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
-                                   unions.whole.data(), joins.data(), unions.total.data(), ranks.share()});
+                                   unions.whole.data(), joins.data(), unions.total.data(), ranks.own_items()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;
 }
@@ -263,11 +263,11 @@ struct Relabel_link {
 // Of a union, the largest shape stays, of equal ones that with the smallest id. The links then have the new ids. A pair
 // may have several links, or become a pair of one shape with itself.
 template <class Backend>
-void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Buffer_of<Backend, Link>& links)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::fits);
+  update_tables(points, shapes, tables::fits);
   auto samples = sample_shapes(points, shapes);
   const Shape_unions<Backend> unions =
     unite_shapes(backend, points.ranks, shapes, {Union_gain(options), samples}, links);

@@ -10,8 +10,8 @@
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <cstdint>
 #include <vector>
@@ -83,7 +83,7 @@ struct Apply_relation {
 };
 
 // The relations of the shapes; where none are due, only the planes through their centroids.
-inline Shape_relations find_relations(const std::vector<Shape_summary>& shapes, const Regularity_options& options,
+inline Shape_relations find_relations(const std::vector<Shape_summary>& shapes, const Regularity_parameters& options,
                                       bool is_due)
 {
   Shape_fits fits;
@@ -140,11 +140,11 @@ struct Regularity_step {
 };
 
 template <class Backend>
-Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                  const Regularity_step& step)
+Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                  const Stage_parameters& options, const Regularity_step& step)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::fits);
+  update_tables(points, shapes, tables::fits);
   for_each_shape(backend, shapes, Take_local{shapes.fitted()});
   const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), step.minimum_size});
   Shape_relations r = find_relations(summarize(backend, shapes, ids), options.regularity, step.is_due);

@@ -13,7 +13,7 @@
 #include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
 namespace CGAL::Tandem::internal {
@@ -50,7 +50,7 @@ public:
   static constexpr int starts = 7;
   static constexpr std::int64_t sample_size = tuning::moves::split_sample;
 
-  explicit Split_gain(const Options& options)
+  explicit Split_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance), minimum_size_(options.minimum_region_size),
       per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance)),
       far_(options.maximum_distance / 2)
@@ -212,7 +212,7 @@ struct Try_splits {
   const Sampled_point* point;
   const Range* range; // by shape
   Split_gain gain;
-  Own_share own;
+  Own_items own;
   Split* split; // by candidate, then by start
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -377,7 +377,8 @@ struct Found_splits {
 };
 
 template <class Backend>
-Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                  const Stage_parameters& options)
 {
   Backend& backend = points.backend;
   const Split_gain gain(options);
@@ -395,7 +396,7 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   found.split.reset(id.size() * Split_gain::starts);
   for_each_by_group(backend, found.split.size(),
                     Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), gain,
-                               points.ranks.share(), found.split.data()});
+                               points.ranks.own_items(), found.split.data()});
   if constexpr(Ranks<Backend>::are_many) {
     const auto all =
       collect_of_all<Numbered_split>(backend, points.ranks, found.split.size(), Take_split{found.split.data()});
@@ -413,10 +414,10 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
 }
 
 template <class Backend>
-void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::fits | tables::lists);
+  update_tables(points, shapes, tables::fits | tables::lists);
   const Found_splits<Backend> found = find_splits(points, shapes, options);
   const std::size_t number = found.accepted.size(), first_new = shapes.size;
   if(number == 0)

@@ -82,7 +82,7 @@ enum class Phase { none, loop, end };
 // point. The passes change lists, proposals, labels and states only.
 //
 // Lists and interior bits follow from the labels. They are out of date when a pass has changed labels, unless it keeps
-// them right itself. require() makes them again.
+// them right itself. update_tables() makes them again.
 template <class Backend>
 struct Labeled_cloud {
   template <class T>

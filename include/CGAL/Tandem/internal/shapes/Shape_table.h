@@ -19,7 +19,7 @@ namespace CGAL::Tandem::internal {
 // Loops are over all ids; functors skip those out of use.
 //
 // Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what shapes
-// win and lose to the moments, or leaves them out of date. require() makes them again.
+// win and lose to the moments, or leaves them out of date. update_tables() makes them again.
 template <class Backend>
 struct Shape_table {
   template <class T>

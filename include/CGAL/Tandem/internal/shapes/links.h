@@ -9,7 +9,7 @@
 
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/keys.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <algorithm>
 
@@ -180,7 +180,7 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
                                        Phase phase)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::moments | tables::lists);
+  update_tables(points, shapes, tables::moments | tables::lists);
   std::uint8_t* const state = states_of(points, phase);
   Buffer_of<Backend, std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});

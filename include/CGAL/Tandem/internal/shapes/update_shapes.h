@@ -8,8 +8,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 
-#include <CGAL/Tandem/internal/shapes/Options.h>
-#include <CGAL/Tandem/internal/shapes/require.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 namespace CGAL::Tandem::internal {
 
@@ -52,7 +52,7 @@ template <class Backend>
 void merge_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::moments);
+  update_tables(points, shapes, tables::moments);
   Shared_moments* const joined = start_deltas(backend, shapes, shapes.size);
   for_each_shape(backend, shapes, Join_shape<Backend>{shapes.counted(), target.data(), joined});
   for_each_shape(backend, shapes, Take_joined{shapes.change_moments(), joined});
@@ -124,7 +124,7 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                    const std::uint8_t* is_checked, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::lists);
+  update_tables(points, shapes, tables::lists);
   Shared_moments* const losses = start_deltas(backend, shapes, shapes.size);
   const Labels_view labels = points.change_labels(true);
   backend.template for_each_cell<Update_scratch>(
@@ -166,7 +166,7 @@ template <class Backend, class Predicate>
 void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_dropped)
 {
   Targets<Backend> target(shapes.size);
-  require(points, shapes, tables::moments);
+  update_tables(points, shapes, tables::moments);
   for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.counted(), is_dropped, target.data()});
   merge_points(points, shapes, target);
 }
@@ -221,7 +221,7 @@ struct Check_moved {
 // are new unions. Shapes that have moved far grow again from all of their points, since other points may fit now.
 // Motion is bounded over the box of a shape. It is measured since the last check or restart, so small motions add up.
 template <class Backend>
-void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                   const Targets<Backend>& target)
 {
   Buffer_of<Backend, std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);

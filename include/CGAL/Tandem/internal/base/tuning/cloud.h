@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The grid, and what is estimated where the caller gives no value. See Share.h.
+// The grid, and what is estimated where the caller gives no value. See Ratio.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_CLOUD_H
 
-#include <CGAL/Tandem/internal/base/tuning/Share.h>
+#include <CGAL/Tandem/internal/base/tuning/Ratio.h>
 
 #include <cstddef>
 
@@ -26,13 +26,13 @@ constexpr int fine_extent_bits = 18;
 constexpr int largest_extent_bits = 24;
 // Where the extent is beyond that, points far from the others are left out if they are at most this share, about what
 // does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be lost.
-constexpr Share far_share = {5, 100};
+constexpr Ratio far_share = {5, 100};
 // Octaves below epsilon in which tolerances of points have a finer grid and smaller surfels. More: a coarser grid of
 // clouds of large extent; sums of distances need more bits.
 constexpr int maximum_octaves = 6;
 // Where points have tolerances and epsilon is not given, so many of them do not exceed it. Larger: few values that stand for
 // none decide on the grid. Smaller: points with the largest tolerances lose some of it.
-constexpr Share tolerances_within = {95, 100};
+constexpr Ratio tolerances_within = {95, 100};
 // Of planes that were found elsewhere: longer tolerances count as this multiple of the extent of the points. All points
 // are within already; a coarser grid would lose their planes.
 constexpr double maximum_distance_per_extent = 4;
@@ -44,7 +44,7 @@ namespace surfels {
 
 // Surfels join, and neighbors are searched again, where more than this share of them would: in heaps that are smaller
 // than a cell .35 to .7 of them do, on scanned surfaces .2 to .24. Smaller: a second search that gains nothing.
-constexpr Share joined = {3, 10};
+constexpr Ratio joined = {3, 10};
 
 } // namespace surfels
 
@@ -53,7 +53,7 @@ namespace orientation {
 
 // They have where this share of close neighbors on one plane agrees. All do where normals are oriented, .82 where a tenth
 // of them is wrong, half of them where they are not oriented.
-constexpr Share agreement = {3, 4};
+constexpr Ratio agreement = {3, 4};
 // Surfels of which one is looked at. Larger: less time, and chance decides in small clouds.
 constexpr std::size_t surfels_per_sampled = 8;
 
@@ -116,7 +116,7 @@ constexpr double step_tilt = 2;
 constexpr int step_thinnings = 3;
 // Where so many of the smallest neighborhoods have none of that residual, it counts this many times: epsilon is .9 of a
 // step then. Smaller: the levels become planes. Larger: so do two steps.
-constexpr Share step_neighborhoods = {1, 4};
+constexpr Ratio step_neighborhoods = {1, 4};
 constexpr double step_margin = 1.25;
 // Quantile over the patches: the noise that counts.
 constexpr double noise_quantile = .75;
@@ -140,7 +140,7 @@ constexpr double low_noise_quantile = .02;
 // And where of those that differ from the median by more than this factor at most such a share as many differ from their
 // neighbors, too: .03 to .19 before depth cameras, .26 to .6 where vegetation and clutter differ.
 constexpr double same_noise = 1.2;
-constexpr Share differ_in_place = {22, 100};
+constexpr Ratio differ_in_place = {22, 100};
 // Shares of patches, or of points, above which the estimate is said to be a compromise.
 constexpr double compromise_share = .25;
 
@@ -151,7 +151,7 @@ constexpr std::size_t sampled_cell_size = 2048;
 constexpr int measured_distance_bits = -16;
 // Points at each end of an axis that do not count if the box of the others, with a margin of its width, is smaller than
 // this share of that of all. Then it is tried again.
-constexpr Share far_points = {1, 100};
+constexpr Ratio far_points = {1, 100};
 constexpr double far_extent = .25;
 
 } // namespace estimation

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Normals where the caller gives none, and on which side of an edge points are. See Share.h.
+// Normals where the caller gives none, and on which side of an edge points are. See Ratio.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
 
-#include <CGAL/Tandem/internal/base/tuning/Share.h>
+#include <CGAL/Tandem/internal/base/tuning/Ratio.h>
 
 namespace CGAL::Tandem::internal {
 namespace tuning {
@@ -23,7 +23,7 @@ constexpr float good_error2 = 0.00274f;
 // ... and at which no other plane is looked for: (1 degree)^2. Larger: blended normals stay at edges.
 constexpr float excellent_error2 = 0.000305f;
 // Independent points that a neighborhood is worth more each time it has grown, in units of its first ones (measured).
-constexpr Share independent_growth = {6, 5};
+constexpr Ratio independent_growth = {6, 5};
 // Thinner than this share of epsilon is as good as flat.
 constexpr float noiseless_share = 0.02f;
 // Squared grid steps: no less than the variance of rounding to the grid, which is added to that of what is flat.
@@ -61,7 +61,7 @@ namespace sides {
 // A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this share of
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
 // beyond it is near none. Larger: fewer points change sides under noise.
-constexpr Share clear_share = {1, 2};
+constexpr Ratio clear_share = {1, 2};
 // Fewest visits to points of a shape to which a normal is fitted again: about eight points.
 constexpr int minimum_visits = 24;
 // Visits to the points around per point: 2.5 to 3.2 (measured), since some are visited several times.

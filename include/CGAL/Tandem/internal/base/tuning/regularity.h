@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Relations. See Share.h.
+// Relations. See Ratio.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_REGULARITY_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_REGULARITY_H

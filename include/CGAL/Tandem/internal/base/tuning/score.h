@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a result is worth, in points: see score/Score.h and Share.h. Labels of rooms and roofs, scenes and layers are
+// What a result is worth, in points: see score/Score.h and Ratio.h. Labels of rooms and roofs, scenes and layers are
 // truest with these and the defaults of simplicity and regularity; the price of a shape may be half or twice as large.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
 
-#include <CGAL/Tandem/internal/base/tuning/Share.h>
+#include <CGAL/Tandem/internal/base/tuning/Ratio.h>
 
 #include <cstdint>
 
@@ -19,11 +19,11 @@ namespace score {
 // A point, in units of the sums.
 constexpr std::int64_t unit = 4096;
 // What the links of a point to other shapes cost, if all are. Without it noisy faces split into planes that interleave.
-constexpr Share link = {1, 2};
+constexpr Ratio link = {1, 2};
 // A link to a free point counts so often. Fewer: planes through clutter stay.
 constexpr std::int64_t free_link = 3;
 // Of a shape, in minimum sizes. From 1 on small faces are lost.
-constexpr Share price = {3, 10};
+constexpr Ratio price = {3, 10};
 // What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
 // minimum size. Fewer: large faces turn farther, also to directions that are not theirs.
 constexpr std::int64_t points_per_freedom = 10;
@@ -41,7 +41,7 @@ constexpr std::uint32_t assignment_passes = 12;
 constexpr std::uint32_t minimum_edges = 2;
 // Share of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
 // that the score of the union outweighs, though they fit their own plane.
-constexpr Share misfits_of_union = {1, 10};
+constexpr Ratio misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
 // Points of the sample in which the two planes of a split are sought, and how often they are fitted.
@@ -49,7 +49,7 @@ constexpr std::int64_t split_sample = 256;
 constexpr int split_steps = 5;
 // A shape needs at least this share of the neighbors of its points within epsilon of its plane. Planes through clutter
 // have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
-constexpr Share near_neighbors = {11, 20};
+constexpr Ratio near_neighbors = {11, 20};
 // Largest rms of a crisp shape, in epsilons: its points are no clutter to others.
 constexpr double crisp_rms = 0.4;
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters of a detection in the units of the grid. make_options.h computes them; they stay as they are, but for
+// The parameters of a detection in the units of the grid. make_stage_parameters.h computes them; they stay as they are, but for
 // seeds_in_flight.
 
-#ifndef CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
-#define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_STAGE_PARAMETERS_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_STAGE_PARAMETERS_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/base/types.h>
@@ -19,7 +19,7 @@ namespace CGAL::Tandem::internal {
 // --- How shapes grow and begin in a cell.
 
 // How shapes start and grow: see the manual, "Growth".
-struct Growth_options {
+struct Growth_parameters {
   Tolerance tolerance;     // epsilon and alpha
   int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds
   int seed_tries;          // candidates that may fail in one pass
@@ -59,10 +59,10 @@ struct Exact_bounds {
 
 // The parameters of the stages. Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing
 // Parameters", and base/tuning.
-struct Options {
-  Growth_options growth;
+struct Stage_parameters {
+  Growth_parameters growth;
   Score score = Score(1, 1);
-  Regularity_options regularity;
+  Regularity_parameters regularity;
   double maximum_distance; // epsilon
   double squared_cosine;   // of alpha
   std::int64_t minimum_region_size;
@@ -77,4 +77,4 @@ struct Options {
 
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_STAGE_PARAMETERS_H

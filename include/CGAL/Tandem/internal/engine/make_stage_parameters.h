@@ -4,14 +4,14 @@
 // The parameters in the units of the grid: lengths in steps, angles of points as squared cosines. Here the numbers of
 // base/tuning become bounds of one cloud. Changes nothing.
 
-#ifndef CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
-#define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_MAKE_STAGE_PARAMETERS_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_STAGE_PARAMETERS_H
 
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ inline double distance_margin(const Grid& grid)
 
 // How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells, and
 // by the smallest size of a shape.
-inline Growth_options make_growth_options(const Parameters& p, const Tolerance& tolerance)
+inline Growth_parameters make_growth_options(const Parameters& p, const Tolerance& tolerance)
 {
   using namespace tuning::growth;
   const std::size_t core_size = (std::min)({(std::max)(p.k_neighbors / neighbors_per_core_point + 1, std::size_t(3)),
@@ -55,9 +55,9 @@ static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "e
 // The options of a detection. `certain` is what an integer test accepts without doubt: tighter by all roundings of
 // distance and angle; `possible` is what the exact test may accept, wider by them. `exact` is in the caller's units,
 // hence not divided by the step.
-inline Options make_options(const Import& in, const Parameters& p)
+inline Stage_parameters make_stage_parameters(const Import& in, const Parameters& p)
 {
-  Options o;
+  Stage_parameters o;
   const double step = in.grid.step;
   const double cosine = cosine_deg(p.maximum_angle);
   o.maximum_distance = p.maximum_distance / step;
@@ -87,4 +87,4 @@ inline Options make_options(const Import& in, const Parameters& p)
 
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_MAKE_STAGE_PARAMETERS_H

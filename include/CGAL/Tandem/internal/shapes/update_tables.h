@@ -5,8 +5,8 @@
 // shapes, their fits, interior bits. A stage says at its beginning what it reads; tables that are out of date cannot be
 // read.
 
-#ifndef CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H
-#define CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_TABLES_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_TABLES_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
@@ -22,7 +22,7 @@ namespace CGAL::Tandem::internal {
 template <class Fits>
 struct Make_fit {
   Fits fits;
-  Own_share own;
+  Own_items own;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
@@ -45,7 +45,7 @@ struct Numbered_fit {
 template <class Fits>
 struct Take_fit {
   Fits fits;
-  Own_share own;
+  Own_items own;
 
   CGAL_TANDEM_HD bool has(std::uint32_t i) const { return own.has(i) && fits.has(i); }
   CGAL_TANDEM_HD Numbered_fit take(std::uint32_t i) const { return {i, fits[i].fit}; }
@@ -69,7 +69,7 @@ template <class Backend, class Fits>
 void spread_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
 {
   if constexpr(Ranks<Backend>::are_many) {
-    const auto all = collect_of_all<Numbered_fit>(backend, ranks, n, Take_fit<Fits>{fits, ranks.share()});
+    const auto all = collect_of_all<Numbered_fit>(backend, ranks, n, Take_fit<Fits>{fits, ranks.own_items()});
     backend.for_each(all.size(), Put_fit<Fits>{fits, all.data()});
   }
 }
@@ -78,7 +78,7 @@ void spread_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, c
 template <class Backend, class Fits>
 void make_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
 {
-  backend.for_each(n, Make_fit<Fits>{fits, ranks.share()}, shapes_per_thread);
+  backend.for_each(n, Make_fit<Fits>{fits, ranks.own_items()}, shapes_per_thread);
   spread_fits(backend, ranks, n, fits);
 }
 
@@ -282,7 +282,7 @@ constexpr unsigned lists = 1, moments = 2, fits = 4;
 
 // Makes of these what is out of date. Fits are of moments.
 template <class Backend>
-void require(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsigned needed)
+void update_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsigned needed)
 {
   if((needed & (tables::moments | tables::fits)) && !shapes.has_moments())
     count_shapes(points, shapes);
@@ -294,4 +294,4 @@ void require(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsig
 
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_SHAPES_REQUIRE_H
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_TABLES_H

@@ -7,8 +7,8 @@
 // bound the work, such as numbers of passes, were chosen so that more of them change next to nothing. With other values
 // the result is another one, on all back ends alike. Numbers of the manual are made of these, by the manual's tuning.py.
 
-#ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
-#define CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
+#ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_RATIO_H
+#define CGAL_TANDEM_INTERNAL_BASE_TUNING_RATIO_H
 
 #include <cstdint>
 
@@ -16,7 +16,7 @@ namespace CGAL::Tandem::internal {
 namespace tuning {
 
 // A share of a number of points, without rounding of floats.
-struct Share {
+struct Ratio {
   std::int64_t numerator, denominator;
 
   constexpr std::int64_t of(std::int64_t n) const { return n * numerator / denominator; }
@@ -36,4 +36,4 @@ struct Share {
 } // namespace tuning
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
+#endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_RATIO_H
