@@ -70,13 +70,13 @@ BOOST_AUTO_TEST_CASE(components)
           without_small[i] = free_label;
         else if(without_small[i] < first_mark)
           large.emplace(-int(size[component[i]]), component[i]);
-      Seams<decltype(backend)> seams(backend, points.ranks);
+      Border_components<decltype(backend)> borders(backend, points.ranks);
       const Labels_of_points labels = {points.cloud.surfels(), label.data(), nullptr};
       std::vector<std::pair<int, std::uint32_t>> got;
-      for(const Component& c : large_components(points, 3, labels, component.data(), seams))
+      for(const Component& c : large_components(points, 3, labels, component.data(), borders))
         got.emplace_back(-int(c.size), c.root);
       CHECK_AT(std::equal(got.begin(), got.end(), large.begin(), large.end()), name + ": large components");
-      const auto sizes = component_sizes(points, labels, component.data(), seams);
+      const auto sizes = component_sizes(points, labels, component.data(), borders);
       backend.for_each(n, Clear_interior{state.data()});
       backend.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
       check_lists(label, without_small, name + ": labels without small components");

@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(samples)
         points.cloud.first = first;
         set_labels(points, label);
         auto shapes = make_table(backend, std::vector<Shape>(n));
-        shapes.lose_moments();
+        shapes.invalidate_moments();
         update_tables(points, shapes, tables::moments);
         const auto got = sample_shapes(points, shapes);
         for(std::size_t s = 0; s < n; ++s) {

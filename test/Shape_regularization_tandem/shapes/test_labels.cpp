@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(sums_and_lists)
         s.box.add(Grid_point{1 << 28, 5, 6, no_normal});
       }
       auto shapes = make_table(backend, shape);
-      shapes.lose_moments();
+      shapes.invalidate_moments();
       update_tables(points, shapes, tables::moments | tables::lists);
       std::vector<Shared_moments> expected(shape.size());
       for(std::uint32_t i = 0; i < label.size(); ++i)

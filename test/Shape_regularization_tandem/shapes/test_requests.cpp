@@ -110,9 +110,9 @@ using Stage = std::function<void(State&, Link_buffer&)>;
 // Lists, moments, fits and interior bits are out of date. The bits are wrong, too: of all points.
 void spoil(State& t)
 {
-  t.shapes.lose_moments();
+  t.shapes.invalidate_moments();
   const Labels_view labels = t.points.change_labels(false);
-  t.points.lose_interior();
+  t.points.invalidate_interior();
   for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
     if(labels.label[i] < first_mark)
       labels.state[i] |= interior_bit;
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(requests_of_end_game)
   check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
   check_stage("splits", [](State& t, Link_buffer&) {
     const Labels_view labels = t.points.change_labels(false);
-    t.shapes.lose_moments();
+    t.shapes.invalidate_moments();
     for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
       if(labels.label[i] < first_mark)
         labels.label[i] &= ~1u; // with the shape before it

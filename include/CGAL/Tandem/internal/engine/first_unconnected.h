@@ -14,7 +14,7 @@
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/engine/make_stage_parameters.h>
-#include <CGAL/Tandem/internal/finish/Seams.h>
+#include <CGAL/Tandem/internal/finish/Border_components.h>
 
 #include <numeric>
 #include <vector>
@@ -54,7 +54,7 @@ template <class Backend>
 struct Labeled_components {
   const std::vector<std::uint32_t>& label;
   const std::vector<std::uint32_t>& component;
-  const Seams<Backend>& seams;
+  const Border_components<Backend>& borders;
 };
 
 // The first shape with points in two components, or the number of shapes; n: own points.
@@ -70,7 +70,7 @@ std::size_t first_of_two_roots(const Ranks<Backend>& ranks, const Labeled_compon
   std::vector<std::size_t> place(shapes, shapes);
   for(std::uint32_t i = 0; i < n; ++i)
     if(points.label[i] != free_label) {
-      const std::uint64_t root = points.seams.global_root(points.component[i]);
+      const std::uint64_t root = points.borders.global_root(points.component[i]);
       std::size_t& at = place[points.label[i]];
       if(at == shapes) {
         at = own.size();
@@ -139,9 +139,9 @@ std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_p
     unite_around(sets, i, view.row(i), std::size_t(view.k), label.data());
   for(std::uint32_t i = 0; i < label.size(); ++i)
     component[i] = sets.root(i);
-  Seams<Backend> seams(backend, ranks);
-  seams.find(view, label.data(), component.data());
-  std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, seams}, view.size, result.shapes());
+  Border_components<Backend> borders(backend, ranks);
+  borders.find(view, label.data(), component.data());
+  std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, borders}, view.size, result.shapes());
   for(const std::uint64_t m : ranks.gather(std::vector<std::uint64_t>{mixed}))
     first = (std::min)(first, std::size_t(m));
   return first;

@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
-#include <CGAL/Tandem/internal/finish/Seams.h>
+#include <CGAL/Tandem/internal/finish/Border_components.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
@@ -74,12 +74,12 @@ struct Gather_components {
 // By root: the number of labeled points of its component; 0 for all other entries.
 template <class Backend>
 Buffer_of<Backend, std::uint32_t> component_sizes(Labeled_cloud<Backend>& points, const Labels_of_points& labels,
-                                                  const std::uint32_t* component, Seams<Backend>& seams)
+                                                  const std::uint32_t* component, Border_components<Backend>& borders)
 {
   auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
-  seams.sum_sizes(size.size(), size.data());
+  borders.sum_sizes(size.size(), size.data());
   return size;
 }
 
@@ -87,16 +87,16 @@ Buffer_of<Backend, std::uint32_t> component_sizes(Labeled_cloud<Backend>& points
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
                                         const Labels_of_points& labels, const std::uint32_t* component,
-                                        Seams<Backend>& seams)
+                                        Border_components<Backend>& borders)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  const auto size = component_sizes(points, labels, component, seams);
+  const auto size = component_sizes(points, labels, component, borders);
   const auto root =
     backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(minimum_size)});
   Buffer_of<Backend, Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), labels.label, size.data(), buffer.data()});
-  std::vector<Component> components = seams.join_large(to_vector(backend, buffer));
+  std::vector<Component> components = borders.join_large(to_vector(backend, buffer));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;
@@ -244,8 +244,8 @@ struct Find_root {
 // their own. Ghosts have entries, too.
 // label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
-Seams<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
-                               std::uint32_t* component)
+Border_components<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_size,
+                                           const std::uint32_t* label, std::uint32_t* component)
 {
   Backend& backend = points.backend;
   const std::size_t cells = points.number_of_cells();
@@ -263,9 +263,9 @@ Seams<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_
   backend.template for_each_cell<Pair_scratch>(
     cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.point.data(), component});
   backend.for_each(points.cloud.size_with_ghosts(), Find_root<Backend>{component});
-  Seams<Backend> seams(backend, points.ranks);
-  seams.find(adjacency.cloud, label, component);
-  return seams;
+  Border_components<Backend> borders(backend, points.ranks);
+  borders.find(adjacency.cloud, label, component);
+  return borders;
 }
 
 } // namespace CGAL::Tandem::internal

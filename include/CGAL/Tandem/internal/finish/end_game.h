@@ -44,10 +44,11 @@ void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>&
 {
   const std::size_t n = points.cloud.size();
   Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
-  auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
-  const auto size = component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), seams);
+  auto borders = find_components(points, options.growth.cell_size, points.label(), component.data());
+  const auto size =
+    component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), borders);
   const Labels_view labels = points.change_labels(true); // lists may have shapes without points
-  shapes.lose_moments();
+  shapes.invalidate_moments();
   points.backend.for_each(
     n, Free_small_components{component.data(), size.data(), std::uint64_t(options.minimum_region_size), labels.label});
   points.refresh_labels();

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points that lie in a heap may still be several surfels, cut by the cells. Such surfels join the heaviest of them, so
-// that a heap is one neighbor and not many. See the manual, "Surfels".
+// The points of a dense cluster may still be several surfels, cut by the cells. Such surfels join the heaviest of them, so
+// that a cluster is one neighbor and not many. See the manual, "Surfels".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H

@@ -179,7 +179,7 @@ struct Direction_group {
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
 
   // A bound on the sine of the angle by which the group can turn at this cost.
-  double bearable_sine(double allowed) const
+  double admissible_sine(double allowed) const
   {
     const double gap = (std::max)(eigen.value[1] - eigen.value[0], 1e-300);
     const double rounding = tuning::exactness::squared_distance_margin * eigen.value[2];
@@ -234,8 +234,8 @@ inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
   const double gap1 = smallest_gap(e);
   const double gap2 = (std::max)(e.value[2] - e.value[0], 1e-300);
   const double d0 = dot(e.vector[0], x), d1 = dot(e.vector[1], x), d2 = dot(e.vector[2], x);
-  const double ease = d1 * d1 / gap1 + d2 * d2 / gap2;
-  return ease > 0 ? d0 * d0 / ease : (d0 == 0 ? 0 : 1e300);
+  const double sum_of_ratios = d1 * d1 / gap1 + d2 * d2 / gap2;
+  return sum_of_ratios > 0 ? d0 * d0 / sum_of_ratios : (d0 == 0 ? 0 : 1e300);
 }
 
 // The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.

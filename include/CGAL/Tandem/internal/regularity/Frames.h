@@ -157,7 +157,10 @@ public:
 
 private:
   // A bound on the dot product with what a group can be made orthogonal to.
-  double reach(const Direction_group& g) const { return (std::min)(g.sine, g.bearable_sine(options.price(g.largest))); }
+  double reach(const Direction_group& g) const
+  {
+    return (std::min)(g.sine, g.admissible_sine(options.price(g.largest)));
+  }
 
   bool is_cheap(const Direction_group& g, const Vector& n) const { return g.cost(n) <= options.price(g.largest); }
 

@@ -186,7 +186,7 @@ private:
                   const std::vector<int>& leader) const
   {
     const double largest = groups[g].largest, most = options_.direction_price(largest);
-    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].bearable_sine(most));
+    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].admissible_sine(most));
     std::pair<double, int> best(0, 1); // the gain, then -number in the index
     index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
       const Direction_group& other = groups[std::size_t(leader[std::size_t(k)])];

@@ -173,9 +173,9 @@ private:
   {
     const std::size_t n = points_.cloud.size();
     Buffer<std::uint32_t> component(label_.size());
-    auto seams = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
+    auto borders = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
     const std::vector<Component> components =
-      large_components(points_, options_.minimum_region_size, labels(), component.data(), seams);
+      large_components(points_, options_.minimum_region_size, labels(), component.data(), borders);
     number_groups(components, result);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);

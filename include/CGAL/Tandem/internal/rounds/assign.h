@@ -328,7 +328,7 @@ void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
 {
   Backend& backend = points.backend;
   const Labels_view labels = points.change_labels(false);
-  points.lose_interior();
+  points.invalidate_interior();
   backend.template for_each_cell<Moment_table>(
     points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, labels,
                                                     start_deltas(backend, shapes, shapes.size)});

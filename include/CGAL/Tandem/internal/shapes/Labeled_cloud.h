@@ -151,7 +151,7 @@ struct Labeled_cloud {
   bool begin_phase(Phase phase) { return std::exchange(phase_, phase) != phase; }
 
   // For a pass after which the interior bits are no longer right.
-  void lose_interior() { phase_ = Phase::none; }
+  void invalidate_interior() { phase_ = Phase::none; }
 
   Backend& backend;
   Ranks<Backend> ranks;

@@ -58,7 +58,7 @@ struct Shape_table {
     has_fits_ = false;
     return shape_.data();
   }
-  void lose_moments() { has_moments_ = has_fits_ = false; }
+  void invalidate_moments() { has_moments_ = has_fits_ = false; }
 
   // Says that moments are those of the labels, for the passes that make them.
   void set_counted() { has_moments_ = true; }

@@ -42,7 +42,7 @@ constexpr double maximum_distance_per_extent = 4;
 // Points that detection takes together. See make_surfels.h and join_surfels.h.
 namespace surfels {
 
-// Surfels join, and neighbors are searched again, where more than this share of them would: in heaps that are smaller
+// Surfels join, and neighbors are searched again, where more than this share of them would: in clusters that are smaller
 // than a cell .35 to .7 of them do, on scanned surfaces .2 to .24. Smaller: a second search that gains nothing.
 constexpr Ratio joined = {3, 10};
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A warp searches for the neighbors of a single query, in integers throughout. This serves points far from those beside
-// them in the cloud, heaps of equal points, ties, and large k. The lanes hold the list: lane i has its entries i and 32
+// them in the cloud, many points in one place, ties, and large k. The lanes hold the list: lane i has its entries i and 32
 // + i. Visits nodes depth-first, nearest first, and prunes by the exact order.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_QUERY_CUH

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Components of points that lie on several ranks. A ghost and its owner's point are one point, so they join a component
-// here with one there: these pairs are few, and each rank joins all of them. One process has no seams.
+// here with one there: these pairs are few, and each rank joins all of them. One process has none of them.
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
-#define CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
@@ -68,9 +68,9 @@ struct Component {
 
 // The components of this rank that go on beyond it.
 template <class Backend>
-class Seams {
+class Border_components {
 public:
-  Seams(Backend& backend, const Ranks<Backend>& ranks) : backend_(backend), ranks_(ranks) {}
+  Border_components(Backend& backend, const Ranks<Backend>& ranks) : backend_(backend), ranks_(ranks) {}
 
   // component: by point, its root on this rank, where roots are the smallest places; inner ghosts have entries.
   // Afterwards parts of one component on this rank have one root. label: with marks for free points.
@@ -93,11 +93,11 @@ public:
     if constexpr(Ranks<Backend>::are_many) {
       Host_view<Backend, std::uint32_t> sizes(backend_, size, n);
       std::vector<Part> parts;
-      for(const Seam& s : seams_)
+      for(const Border_component& s : borders_)
         parts.push_back({s.global_root, sizes.data()[s.root]});
       parts = ranks_.gather(parts);
       std::sort(parts.begin(), parts.end());
-      for(Seam& s : seams_) {
+      for(Border_component& s : borders_) {
         s.size = 0;
         for(auto part = std::lower_bound(parts.begin(), parts.end(), Part{s.global_root, 0});
             part != parts.end() && part->global_root == s.global_root; ++part)
@@ -111,8 +111,8 @@ public:
   // The number of the smallest point of the component with this root on this rank.
   std::uint64_t global_root(std::uint32_t root) const
   {
-    const Seam* const seam = at(root);
-    return seam != nullptr ? seam->global_root : ranks_.number(root);
+    const Border_component* const border = at(root);
+    return border != nullptr ? border->global_root : ranks_.number(root);
   }
 
   // own: large components with points on this rank, by root. Returns those of all ranks, in the order of their global
@@ -124,11 +124,11 @@ public:
     std::vector<std::pair<std::uint64_t, std::uint32_t>> root_of; // by global root
     std::vector<Large> reported;                                  // by the rank of the global root
     for(const Component& c : own) {
-      const Seam* const seam = at(c.root);
+      const Border_component* const border = at(c.root);
       const std::uint64_t global = global_root(c.root);
       root_of.emplace_back(global, c.root);
       if(is_own(global))
-        reported.push_back({global, seam != nullptr ? seam->size : c.size, c.entry});
+        reported.push_back({global, border != nullptr ? border->size : c.size, c.entry});
     }
     std::sort(root_of.begin(), root_of.end());
     std::vector<Component> all;
@@ -141,7 +141,7 @@ public:
   }
 
 private:
-  struct Seam {
+  struct Border_component {
     std::uint32_t root;        // the smallest position on this rank
     std::uint64_t global_root; // the number of the smallest point of all ranks
     std::uint64_t size;        // of the whole component, after sum_sizes()
@@ -165,11 +165,11 @@ private:
 
   bool is_own(std::uint64_t number) const { return number >> 32 == ranks_.own_items().rank; }
 
-  const Seam* at(std::uint32_t root) const
+  const Border_component* at(std::uint32_t root) const
   {
-    const auto it =
-      std::lower_bound(seams_.begin(), seams_.end(), root, [](const Seam& s, std::uint32_t r) { return s.root < r; });
-    return it != seams_.end() && it->root == root ? &*it : nullptr;
+    const auto it = std::lower_bound(borders_.begin(), borders_.end(), root,
+                                     [](const Border_component& s, std::uint32_t r) { return s.root < r; });
+    return it != borders_.end() && it->root == root ? &*it : nullptr;
   }
 
   // The pairs of components that share a ghost. The first ghost is at `first`.
@@ -197,26 +197,27 @@ private:
         roots.emplace_back(sets.root_point(i), index);
     }
     std::sort(roots.begin(), roots.end());
-    seams_.clear();
+    borders_.clear();
     bool has_joined = false;
     for(std::size_t i = 0; i < roots.size(); ++i) {
       if(i == 0 || roots[i].first != roots[i - 1].first)
-        seams_.push_back({roots[i].second, roots[i].first, 0});
+        borders_.push_back({roots[i].second, roots[i].first, 0});
       else {
-        component[roots[i].second] = seams_.back().root;
+        component[roots[i].second] = borders_.back().root;
         has_joined = true;
       }
     }
     for(std::size_t i = 0; has_joined && i < n; ++i)
       component[i] = component[component[i]];
-    std::sort(seams_.begin(), seams_.end(), [](const Seam& a, const Seam& b) { return a.root < b.root; });
+    std::sort(borders_.begin(), borders_.end(),
+              [](const Border_component& a, const Border_component& b) { return a.root < b.root; });
   }
 
   Backend& backend_;
   const Ranks<Backend>& ranks_;
-  std::vector<Seam> seams_; // by root
+  std::vector<Border_component> borders_; // by root
 };
 
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_SEAMS_H
+#endif // CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
