@@ -55,7 +55,7 @@ public:
   reads the points, estimates the parameters that are not given, and finds the neighbors of the points.
   \param points a range of points
   \param np the named parameters of `detect_planes()`
-  \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+  \throw Parameter_error a parameter is outside of its range
   \throw std::length_error more than 2^31 points (of one process)
   \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
   */

@@ -140,7 +140,7 @@ the defaults then
 
 \return the shapes as a `Planar_shapes_3`
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw Parameter_error a parameter is outside of its range
 \throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails

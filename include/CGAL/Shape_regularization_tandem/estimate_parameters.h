@@ -35,7 +35,7 @@ estimate does not depend on the order of the points. All lengths are in the unit
 \param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
 \param estimate where it is not null, gets what is to be said of an estimated `maximum_distance`
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw Parameter_error a parameter is outside of its range
 \throw std::length_error more than 2^31 points (of one process)
 \throw std::range_error `maximum_distance` is not given, and more than one point in twenty is beyond 2^24 times 1e270
 */

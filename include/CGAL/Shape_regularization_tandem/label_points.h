@@ -169,7 +169,8 @@ linear in the number of points, times that of planes or, with `shape_points`, ti
 \return the shape of each point, in the order of the range; -1 for points that no shape takes, and for those that a
 detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or
+\throw Parameter_error a parameter is outside of its range
+\throw std::invalid_argument
 `shape_points` are not those of the detection, as `polygons()` says, or have no spacing and no `reach`
 \throw std::length_error more than 2^31 points
 */

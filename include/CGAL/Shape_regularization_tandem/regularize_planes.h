@@ -240,7 +240,7 @@ linear in the number of points.
 
 \return how the planes are related
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw Parameter_error a parameter is outside of its range
 \throw std::length_error more than 2^31 points
 \throw std::range_error the extent of the points is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
 */

@@ -185,7 +185,8 @@ The result is that of the function with their indices.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or the points
+\throw Parameter_error a parameter is outside of its range
+\throw std::invalid_argument the points
 are not those of the detection, where they are read
 \throw std::logic_error a part of the points is in other processes (`Mpi_tag`), where they are read. The other criteria
 select the same shapes in all processes.

@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_CHECK_PARAMETERS_H
 #define CGAL_TANDEM_CHECK_PARAMETERS_H
 
+#include <CGAL/Tandem/Parameter_error.h>
 #include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <locale>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace CGAL::Tandem {
@@ -32,7 +32,7 @@ std::string to_text(const T& value)
 template <class T>
 [[noreturn]] void throw_out_of_range(const char* name, const T& value, const std::string& range)
 {
-  throw std::invalid_argument(std::string(name) + " is " + to_text(value) + ", allowed is " + range);
+  throw Parameter_error(name, to_text(value), range);
 }
 
 // The bounds of lengths. Shorter ones have no grid of normalized doubles.
@@ -114,8 +114,7 @@ inline void check_directions(const Parameters& p)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-throws `std::invalid_argument`, which names the parameter, its value and the allowed range, if one of
-the parameters is outside of it. Estimated parameters must be resolved before.
+throws `Parameter_error` if one of the parameters is outside of its range. Estimated parameters must be resolved before.
 */
 inline void check_parameters(const Parameters& p)
 {

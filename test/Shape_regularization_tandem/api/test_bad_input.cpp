@@ -96,10 +96,10 @@ BOOST_AUTO_TEST_CASE(test_smallest_angle)
 void check_refused(const Parameters& p, std::initializer_list<const char*> words)
 {
   const Cloud cloud = make_box(50);
-  check_throws<std::invalid_argument>([&] { detect(cloud, p); }, words, __LINE__);
-  check_throws<std::invalid_argument>([&] { detect(Cloud(), p); }, words, __LINE__);
-  check_throws<std::invalid_argument>([&] { CGAL::Tandem::estimate_parameters(cloud, positions.settings(p)); }, words,
-                                      __LINE__);
+  check_throws<CGAL::Tandem::Parameter_error>([&] { detect(cloud, p); }, words, __LINE__);
+  check_throws<CGAL::Tandem::Parameter_error>([&] { detect(Cloud(), p); }, words, __LINE__);
+  check_throws<CGAL::Tandem::Parameter_error>([&] { CGAL::Tandem::estimate_parameters(cloud, positions.settings(p)); },
+                                              words, __LINE__);
 }
 
 BOOST_AUTO_TEST_CASE(test_misuse)
@@ -125,6 +125,13 @@ BOOST_AUTO_TEST_CASE(test_misuse)
   Parameters rounded;
   rounded.maximum_angle = .005;
   check_refused(rounded, {"rounding of normals"});
+  try {
+    detect(Cloud(), rounded);
+    fail("no exception");
+  } catch(const CGAL::Tandem::Parameter_error& e) {
+    check_equal(e.name() + ", " + e.value() + ", " + e.range().substr(0, 10), "maximum_angle, 0.005, [0.05, 90)",
+                "fields");
+  }
 }
 
 // 0 means in settings what is estimated: as a named parameter it is refused, as negative ones are.

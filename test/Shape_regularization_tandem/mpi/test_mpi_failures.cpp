@@ -114,10 +114,10 @@ void test_parameters(const Ranks& ranks, int)
   for(const int bad : first_and_last(ranks)) {
     const bool is_bad = ranks.rank() == bad;
     const auto check = [&](const auto& list, const char* name, const char* value) {
-      check_refused(ranks, list, {name, "invalid_argument", value});
+      check_refused(ranks, list, {name, "Parameter_error", value});
       const auto both = list.point_map(First<Kernel>()).communicator(ranks);
       const auto estimate = [&] { CGAL::Tandem::estimate_parameters<Mpi_tag<CGAL::Sequential_tag>>(part, both); };
-      check_failure(ranks, failure_of(estimate), {name, "invalid_argument", value}, "estimate_parameters");
+      check_failure(ranks, failure_of(estimate), {name, "Parameter_error", value}, "estimate_parameters");
     };
     Parameters parameters = make_parameters(.01, 30);
     parameters.maximum_angle = is_bad ? 95 : 25;

@@ -10,6 +10,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 #define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 
+#include <CGAL/Tandem/Parameter_error.h>
+
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 #include <mpi.h>
@@ -21,6 +23,7 @@
 #include <exception>
 #include <new>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -82,11 +85,13 @@ void for_each_message(std::size_t n, F f)
 // --- Exceptions as text, so that the one of one rank can be thrown by all. Types of the standard library are kept; others
 // become std::runtime_error.
 
-// The first letter is the type, the rest is the message.
+// The first letter is the type, the rest is the message, or for a parameter its name, value and range, which end lines.
 inline std::string encoded_failure(const std::exception_ptr& failure)
 {
   try {
     std::rethrow_exception(failure);
+  } catch(const Parameter_error& e) {
+    return "p" + e.name() + '\n' + e.value() + '\n' + e.range() + '\n';
   } catch(const std::invalid_argument& e) {
     return std::string("i") + e.what();
   } catch(const std::length_error& e) {
@@ -107,7 +112,12 @@ inline std::string encoded_failure(const std::exception_ptr& failure)
 [[noreturn]] inline void throw_failure(const std::string& encoded)
 {
   const std::string message = encoded.substr(1);
+  std::istringstream lines(message);
+  std::string name, value, range;
   switch(encoded.at(0)) {
+  case 'p':
+    std::getline(std::getline(std::getline(lines, name), value), range);
+    throw Parameter_error(name, value, range);
   case 'i':
     throw std::invalid_argument(message);
   case 'l':
