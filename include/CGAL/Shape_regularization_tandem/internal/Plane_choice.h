@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/Coefficients.h>
 #include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <algorithm>
@@ -146,8 +147,7 @@ class Plane_choice {
 public:
   // Coordinates of points are at most `largest`, in absolute value.
   Plane_choice(const std::vector<Coefficients>& planes, double maximum_angle_deg, double largest)
-    : planes_(planes), cosine_(std::cos(maximum_angle_deg * (3.14159265358979323846 / 180))),
-      blocks_((planes.size() + width - 1) / width)
+    : planes_(planes), cosine_(cosine_deg(maximum_angle_deg)), blocks_((planes.size() + width - 1) / width)
   {
     for(Block& block : blocks_)
       block.d.fill(HUGE_VAL);

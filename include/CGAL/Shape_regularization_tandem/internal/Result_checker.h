@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>
@@ -265,7 +266,7 @@ private:
   void check_points()
   {
     constexpr double packing = 2e-4; // the method decides on sides with normals that are packed, and so turned a little
-    const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
+    const double cosine = cosine_deg(data_.parameters.maximum_angle);
     sides_.assign(2 * data_.coefficients.size(), 0);
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
