@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_H
+
+/*!
+\file
+Models made of a result: outlines of shapes, closed surfaces, measures of shapes and what is selected by them. They take
+long to compile: link `Tandem::tandem_models`.
+*/
+
+#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
+#include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_H
