@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A small back end of its own, added by a tag from outside of the package: all loops run backwards, on std::threads.
-// ThreadSanitizer sees all of it, while the library of TBB is not instrumented, and it deals out small pieces, so that a
-// body meets its neighbors more often. It counts its loops.
+// ThreadSanitizer sees all of it, while the library of TBB is not instrumented, and it deals out small pieces, so that
+// a body meets its neighbors more often. It counts its loops.
 //
 // It is the example to read for whoever adds a back end:
 // - Write a model of Backend. backend/archetypes.h of the tests lists its operations, and Sequential_backend.h is the
