@@ -143,7 +143,8 @@ function(tandem_find_models result source)
 endfunction()
 
 # For programs without flags of their own: they share a precompiled header. Not with ccache, which does not keep what is
-# compiled with one: there its declarations, which spare instances of the engine, are included.
+# compiled with one: there its declarations, which spare instances of the engine, are included. Libraries are linked to
+# a target before this is called, as their flags choose the header.
 function(tandem_share_engine target)
   tandem_link_engine(${target})
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")

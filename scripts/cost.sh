@@ -9,6 +9,9 @@
 #   cost.sh            compares
 #   cost.sh --record   writes the table, where all rows keep their first values. Another compiler changes these as it
 #                      changes the present ones; so it is recorded apart from changes of the sources.
+# A commit that makes a detection cost more records the table and says why. One that makes it cost less records it,
+# too, so that the gain is not lost again. In the same way, test_thread_backend.cpp bounds passes and loops, and
+# test_cuda_work.cpp the launches of a device.
 #   TANDEM_BUILD_DIR  parent of the build folder (default: build of this repository)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 

@@ -4,6 +4,9 @@
 #
 # Builds the manual as HTML, after installing Doxygen if it is missing. Fails on any warning. Numbers of the method are
 # those of the headers of tuning constants, by tuning.py beside its pages.
+# A new page is listed in the table of Shape_regularization_tandem.txt and in the \tandemPages of the pages before and
+# after it, a new picture in HTML_EXTRA_FILES of the Doxyfile, a new example in examples.txt. After a change of the results,
+# figures/draw.py draws pictures and writes tables again.
 #   TANDEM_DOC_DIR    where to (default: build/doc of this repository)
 #   TANDEM_CGAL_TAGS  folder of the tag files of CGAL's manual (NAME.tag), with which names of CGAL are links to
 #                     https://doc.cgal.org (default: where CGAL's documentation is installed, if it is; empty: no links)

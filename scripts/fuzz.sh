@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Gives mutated files and options to what reads them in detect_planes, until SECONDS are over or a fault is found. It
-# starts from the corpus of the repository and from what earlier runs have found.
+# starts from the corpus of the repository and from what earlier runs have found. Whoever mends a fault adds the input
+# that caused it to the corpus.
 #   fuzz.sh [TARGET [SECONDS [SEED]]]  TARGET: some of ply, xyz, off, las, pcd, ptx, options, or all (default: all);
 #                                      SECONDS of each (default: 60); SEED of the mutations (default: another one each time)
 #   TANDEM_BUILD_DIR  parent of the build folder `fuzz`, which gets new inputs in corpus/TARGET, and inputs that cause a

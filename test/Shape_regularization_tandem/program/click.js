@@ -3,7 +3,8 @@
 //
 // Clicks, keys and fingers on a page of detect_planes --view, the room of test_browser.py:
 //   node click.js PAGE.html select|layers|clip|list|save|link|lost|touch
-// with NODE_PATH for playwright-core and CHROMIUM for the browser. It ends with 1 after it has said what is wrong.
+// with NODE_PATH for playwright-core and CHROMIUM for the browser. It ends with 1 after it has said what is wrong. A
+// new function of the page gets a click here, which checks how the state and the pixels of a region change.
 const { chromium } = require("playwright-core");
 const fs = require("fs");
 const file = require("path").resolve(process.argv[2]);

@@ -1,9 +1,21 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small back end of its own, added by a tag from outside of the package, as CONTRIBUTING.md describes it: all loops run
-// backwards, on std::threads. ThreadSanitizer sees all of it, while the library of TBB is not instrumented, and it deals
-// out small pieces, so that a body meets its neighbors more often. It counts its loops.
+// A small back end of its own, added by a tag from outside of the package: all loops run backwards, on std::threads.
+// ThreadSanitizer sees all of it, while the library of TBB is not instrumented, and it deals out small pieces, so that
+// a body meets its neighbors more often. It counts its loops.
+//
+// It is the example to read for whoever adds a back end:
+// - Write a model of Backend. backend/archetypes.h of the tests lists its operations, and Sequential_backend.h is the
+//   model to read first. A back end whose functors run on the host inherits Host_operations and adds for_each_piece().
+// - Write a model of Block, or take Serial_block if bodies run with one lane.
+// - Specialize Stage_overrides for stages that it executes in a way of its own, as cuda/stages/Cuda_stages.cuh. A back
+//   end without host memory has to replace two of them.
+// - Give it a tag and a specialization of Execution_of that inherits Execution_on, as below. A back end without host
+//   memory names one of the host there, which reads the caller's range. A library of its own declares a function that
+//   makes it, as cuda/interface/cuda_api.h, so that users need no other compiler.
+// - Compare its hashes with those of Sequential_tag, as test_thread_backend.cpp, and add it to on_body_backends() in
+//   testing/body_fixture.h.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H

@@ -4,6 +4,24 @@
 // Algorithm 1 of the paper: detection and regularization in tandem. Decides the order of the stages, the number of
 // passes of a round, and the end of the loop. The stages change the state; see the manual, "The Method, Stage by
 // Stage".
+//
+// To add a stage:
+// - Put it into the folder of its step. It is a function template on the tables that it reads and writes:
+//   Labeled_cloud, Shape_table, Stage_parameters. Call it here, under a Stage_timer.
+// - It begins with update_tables() of what it reads of what follows from labels: lists of cells, moments, fits. It gets
+//   labels that it changes from change_labels(), and says which of these tables it keeps right. Add it to
+//   test_requests.cpp, which runs each stage where all of these are out of date.
+// - Loops over points and shapes are functors marked CGAL_TANDEM_HD on buffers of the back end, and bodies of a cell
+//   are written on Block, so that a device runs them. A copy to the host waits: only what the host decides on crosses,
+//   once a step. Steps that are repeated until nothing changes are run by run_rounds(), as those of Mutual_unions.h.
+//   Items that take long are for a Lane_group.
+// - A rank has its own points only, and the whole table of shapes. After a pass, sum_deltas() adds up what the ranks
+//   have changed in that table, and refresh_labels() renews the labels of ghosts. Long loops over shapes are shared by
+//   own_items() and gather(). Code for many ranks only stands under `if constexpr(Ranks<Backend>::are_many)`.
+// - The score decides what is better, not a threshold. Thresholds that remain are in base/tuning, with their unit,
+//   where they come from, and what moving them does.
+// - Test it against brute force on small inputs, with shuffled lanes (testing/body_fixture.h), by
+//   test_thread_backend.cpp under ThreadSanitizer, and on many ranks by test_mpi_bits.cpp.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
