@@ -190,7 +190,7 @@ void check_cells(Surfel_cloud<Backend>& s, std::size_t cell_size, const std::str
     CHECK_AT(cell.size() <= cell_size, name + ": surfels of a cell: " + std::to_string(cell.size()));
     next = cell.last;
   }
-  check_equal(std::size_t(next), s.cloud.size(), name + ": cells have all surfels");
+  check_equal(std::size_t(next), s.cloud.number_of_surfels(), name + ": cells have all surfels");
 }
 
 template <class Backend>
@@ -201,9 +201,9 @@ void check_surfels(Backend& backend, const std::string& of, const Case& c, const
   std::map<Key, std::size_t> size;
   for(std::size_t i = 0; i < p.point.size(); ++i)
     ++size[key_of(p.point[i], p.level[i], p.low, c.cells)];
-  check_equal(s.cloud.size(), size.size(), name + ": number of surfels");
+  check_equal(s.cloud.number_of_surfels(), size.size(), name + ": number of surfels");
   check_equal(s.cloud.number_of_points(), c.points, name + ": number of points");
-  for(std::uint32_t i = 0; i < s.cloud.size(); ++i)
+  for(std::uint32_t i = 0; i < s.cloud.number_of_surfels(); ++i)
     check_surfel(s, i, p, c.cells, size, name);
   check_cells(s, 64, name);
 }
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(targets_of_joins)
   const Leveled_points p = random_heaps(400, surfels, 9000, 8);
   on_body_backends([&](auto backend, const std::string& name) {
     Surfel_cloud<decltype(backend)> s(backend, p, surfels, 300);
-    const std::uint32_t size = std::uint32_t(s.cloud.size());
+    const std::uint32_t size = std::uint32_t(s.cloud.number_of_surfels());
     s.cloud.k = 12;
     s.cloud.neighbor.reset(size * std::size_t(s.cloud.k));
     find_neighbors(backend, s.cloud.point.data(), size, s.cloud.k, s.cloud.neighbor.data());

@@ -72,7 +72,7 @@ void check_state(const State& t, const std::string& where)
   const Surfels_view surfels = t.points.cloud.surfels();
   const Shape_table<Sequential_backend>& shapes = t.shapes;
   std::vector<Moments> sum(shapes.size);
-  for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
+  for(std::uint32_t i = 0; i < t.points.cloud.number_of_surfels(); ++i)
     for(std::uint32_t p = surfels.points(i).first; p < surfels.points(i).last && t.points.label()[i] < first_mark; ++p)
       sum.at(t.points.label()[i]).add(surfels.point[p], 1);
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
@@ -113,7 +113,7 @@ void spoil(State& t)
   t.shapes.invalidate_moments();
   const Labels_view labels = t.points.change_labels(false);
   t.points.invalidate_interior();
-  for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
+  for(std::size_t i = 0; i < t.points.cloud.number_of_surfels(); ++i)
     if(labels.label[i] < first_mark)
       labels.state[i] |= interior_bit;
 }
@@ -144,7 +144,7 @@ Outcome outcome(const Stage& stage, bool is_spoilt)
   for(const Link& link : to_vector(t.points.backend, links))
     pairs.push_back(link.pair);
   std::sort(pairs.begin(), pairs.end());
-  return {to_vector(t.points.backend, t.points.label(), t.points.cloud.size()), plane, pairs};
+  return {to_vector(t.points.backend, t.points.label(), t.points.cloud.number_of_surfels()), plane, pairs};
 }
 
 void check_stage(const std::string& name, const Stage& stage)
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(requests_of_end_game)
   check_stage("splits", [](State& t, Link_buffer&) {
     const Labels_view labels = t.points.change_labels(false);
     t.shapes.invalidate_moments();
-    for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
+    for(std::size_t i = 0; i < t.points.cloud.number_of_surfels(); ++i)
       if(labels.label[i] < first_mark)
         labels.label[i] &= ~1u; // with the shape before it
     t.options.minimum_region_size = 10;

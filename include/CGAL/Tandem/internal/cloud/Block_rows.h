@@ -110,7 +110,7 @@ struct Block_rows {
   Buffer_of<Backend, Block_entries> of_point;
 
   Block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
-    : row(number_of_blocks(cloud.size())), of_point(cloud.size())
+    : row(number_of_blocks(cloud.number_of_surfels())), of_point(cloud.number_of_surfels())
   {
     for_each_by_group(backend, row.size(), Make_block_row{cloud.view(), row.data(), of_point.data()});
   }

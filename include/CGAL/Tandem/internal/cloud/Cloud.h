@@ -76,9 +76,9 @@ struct Sorted_cloud {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  std::size_t size() const { return point.size() - ghosts; }
+  std::size_t number_of_surfels() const { return point.size() - ghosts; }
   std::size_t size_with_ghosts() const { return point.size(); }
-  std::size_t number_of_points() const { return has_surfels() ? all_points.size() : size(); }
+  std::size_t number_of_points() const { return has_surfels() ? all_points.size() : number_of_surfels(); }
   bool has_surfels() const { return first_point.size() > 0; }
 
   Surfels_view surfels() const
@@ -89,15 +89,8 @@ struct Sorted_cloud {
 
   Cloud_view view() const
   {
-    return {point.data(),
-            neighbor.data(),
-            std::uint32_t(size()),
-            k,
-            surfels(),
-            std::uint32_t(ghosts),
-            first,
-            has_surfels() ? first_of_points : first,
-            levels()};
+    return {point.data(),          neighbor.data(), std::uint32_t(number_of_surfels()),      k,       surfels(),
+            std::uint32_t(ghosts), first,           has_surfels() ? first_of_points : first, levels()};
   }
 
   // Null where all points have the tolerance of the detection.

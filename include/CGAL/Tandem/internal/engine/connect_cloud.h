@@ -85,8 +85,9 @@ template <class Backend, class Meanwhile = Nothing>
 void find_rows(Labeled_cloud<Backend>& points, int rings, Meanwhile meanwhile = Meanwhile())
 {
   Sorted_cloud<Backend>& cloud = points.cloud;
-  cloud.neighbor.reset(cloud.size() * std::size_t(cloud.k));
-  find_neighbors(points.backend, cloud.point.data(), std::uint32_t(cloud.size()), cloud.k, cloud.neighbor.data());
+  cloud.neighbor.reset(cloud.number_of_surfels() * std::size_t(cloud.k));
+  find_neighbors(points.backend, cloud.point.data(), std::uint32_t(cloud.number_of_surfels()), cloud.k,
+                 cloud.neighbor.data());
   meanwhile();
   points.ranks.connect(cloud, rings);
 }

@@ -27,7 +27,7 @@ std::size_t host_bytes(const Sorted_cloud<Backend>& cloud, const Import& in)
   constexpr std::size_t neighborhoods = 96; // of estimate_normals()
   const std::size_t level = in.has_tolerances ? 1 : 0;
   return in.size() * (in.value_bytes() + 2 * sizeof(std::uint32_t) + level + (cloud.has_surfels() ? member_bytes : 0)) +
-         cloud.size() *
+         cloud.number_of_surfels() *
            (surfel_bytes(std::size_t(cloud.k)) + level + (in.has_normals ? labels + end_game : neighborhoods));
 }
 

@@ -242,7 +242,7 @@ template <class Backend>
 void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  const std::size_t n = points.cloud.size();
+  const std::size_t n = points.cloud.number_of_surfels();
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
   const auto edge = edge_points(backend, view);

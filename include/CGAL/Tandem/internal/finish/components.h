@@ -76,7 +76,7 @@ template <class Backend>
 Buffer_of<Backend, std::uint32_t> component_sizes(Labeled_cloud<Backend>& points, const Labels_of_points& labels,
                                                   const std::uint32_t* component, Border_components<Backend>& borders)
 {
-  auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
+  auto size = filled_buffer(points.backend, points.cloud.number_of_surfels(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
   borders.sum_sizes(size.size(), size.data());
@@ -90,7 +90,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
                                         Border_components<Backend>& borders)
 {
   Backend& backend = points.backend;
-  const std::size_t n = points.cloud.size();
+  const std::size_t n = points.cloud.number_of_surfels();
   const auto size = component_sizes(points, labels, component, borders);
   const auto root =
     backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(minimum_size)});
@@ -256,8 +256,8 @@ Border_components<Backend> find_components(Labeled_cloud<Backend>& points, std::
   else
     backend.template for_each_cell<Union_scratch<largest_cell>>(cells, inside);
   // Ghosts begin as components of their own.
-  backend.for_each(points.cloud.ghosts,
-                   Fill_ascending{component + points.cloud.size(), std::uint32_t(points.cloud.size())});
+  backend.for_each(points.cloud.ghosts, Fill_ascending{component + points.cloud.number_of_surfels(),
+                                                       std::uint32_t(points.cloud.number_of_surfels())});
   // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(

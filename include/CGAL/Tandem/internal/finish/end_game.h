@@ -42,7 +42,7 @@ template <class Backend>
 void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                            const Stage_parameters& options)
 {
-  const std::size_t n = points.cloud.size();
+  const std::size_t n = points.cloud.number_of_surfels();
   Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
   auto borders = find_components(points, options.growth.cell_size, points.label(), component.data());
   const auto size =

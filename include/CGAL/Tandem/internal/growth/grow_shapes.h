@@ -69,9 +69,9 @@ void find_border(Labeled_cloud<Backend>& points)
   Backend& backend = points.backend;
   Border<Backend>& border = points.border;
   const std::size_t cells = points.number_of_cells();
-  Buffer_of<Backend, std::uint8_t> mark(points.cloud.size());
+  Buffer_of<Backend, std::uint8_t> mark(points.cloud.number_of_surfels());
   backend.template for_each_cell<No_scratch>(cells, Mark_border{points.cloud.view(), points.cells.data(), mark.data()});
-  border.point = backend.compact(points.cloud.size(), Is_marked{mark.data()});
+  border.point = backend.compact(points.cloud.number_of_surfels(), Is_marked{mark.data()});
   border.range.reset(cells);
   backend.for_each(cells, Find_cell_borders{points.cells.data(), border.point.data(),
                                             std::uint32_t(border.point.size()), border.range.data()});
@@ -416,7 +416,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   shapes.size = size;
   const Labels_view labels = points.change_labels(false);
   if(is_sparse || started.size() > 0)
-    backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), labels.label});
+    backend.for_each(points.cloud.number_of_surfels(), Replace_ids{new_id.data(), labels.label});
   points.refresh_labels();
   return std::size_t(sums[0]);
 }

@@ -58,7 +58,7 @@ public:
   template <class Cloud>
   void connect(Cloud& cloud, int rings)
   {
-    const std::uint32_t n = std::uint32_t(cloud.size());
+    const std::uint32_t n = std::uint32_t(cloud.number_of_surfels());
     ghosts_ = std::make_shared<Ghosts<Backend>>(*backend_, n);
     std::vector<std::uint32_t> ghost_rows;
     {

@@ -118,11 +118,12 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
   using View = typename Backend::Sort_table::View;
   if(!cloud.has_surfels()) // the same on all ranks
     return false;
-  Buffer_of<Backend, std::uint32_t> target(cloud.size());
+  Buffer_of<Backend, std::uint32_t> target(cloud.number_of_surfels());
   backend.template for_each_cell<No_scratch>(cells.size(),
                                              Choose_target{{cloud.view(), surfel_cells}, cells.data(), target.data()});
-  const std::size_t staying = ranks.total(backend.compact(cloud.size(), Stays_surfel{target.data()}).size());
-  const std::size_t all = ranks.total(cloud.size());
+  const std::size_t staying =
+    ranks.total(backend.compact(cloud.number_of_surfels(), Stays_surfel{target.data()}).size());
+  const std::size_t all = ranks.total(cloud.number_of_surfels());
   if(!tuning::surfels::joined.is_exceeded(std::int64_t(all - staying), std::int64_t(all)))
     return false;
   const std::size_t n = cloud.number_of_points();

@@ -84,7 +84,7 @@ template <class Backend>
 void free_rejected(Labeled_cloud<Backend>& points, const Labels_of_points& labels, std::uint32_t* label)
 {
   if(points.cloud.has_surfels())
-    points.backend.for_each(points.cloud.size(), Free_rejected{labels, label});
+    points.backend.for_each(points.cloud.number_of_surfels(), Free_rejected{labels, label});
 }
 
 // The next label of each surfel: its own one, or of a free surfel that of the neighbor in whose plane most of its points

@@ -171,7 +171,7 @@ private:
   // Buffers of the size of the cloud are released before the points are grouped, which needs memory itself.
   void name_shapes(Engine_result& result)
   {
-    const std::size_t n = points_.cloud.size();
+    const std::size_t n = points_.cloud.number_of_surfels();
     Buffer<std::uint32_t> component(label_.size());
     auto borders = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
     const std::vector<Component> components =

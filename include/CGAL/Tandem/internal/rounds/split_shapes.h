@@ -428,7 +428,7 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
                    Start_half{shapes.change_moments(), shapes.plane.data(), found.id.data(), found.accepted.data(),
                               found.split.data(), new_id.data(), std::uint32_t(first_new)});
   shapes.size = first_new + number;
-  Buffer_of<Backend, std::uint32_t> chosen(points.cloud.size());
+  Buffer_of<Backend, std::uint32_t> chosen(points.cloud.number_of_surfels());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),
                                               shapes.plane.data(), chosen.data()});
   take_chosen(points, shapes, chosen.data());

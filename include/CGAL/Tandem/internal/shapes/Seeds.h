@@ -143,7 +143,7 @@ template <class Backend>
 Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bounds)
 {
   Backend& backend = points.backend;
-  const std::size_t n = points.cloud.size(), cells = points.number_of_cells();
+  const std::size_t n = points.cloud.number_of_surfels(), cells = points.number_of_cells();
   Buffer_of<Backend, std::uint64_t> key(n);
   Seeds<Backend> seeds;
   seeds.seed.reset(n);

@@ -185,7 +185,7 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
   Buffer_of<Backend, std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});
   // Hardly more than a pair for 8 points: a bound where most shapes are on other ranks.
-  const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.size() / 8);
+  const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.number_of_surfels() / 8);
   std::size_t size = 1024;
   while(size < pairs)
     size *= 2;

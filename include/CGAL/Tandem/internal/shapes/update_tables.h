@@ -271,7 +271,7 @@ template <class Backend>
 std::uint8_t* states_of(Labeled_cloud<Backend>& points, Phase phase)
 {
   if(points.begin_phase(phase))
-    points.backend.for_each(points.cloud.size(), Clear_interior{points.state()});
+    points.backend.for_each(points.cloud.number_of_surfels(), Clear_interior{points.state()});
   return points.state();
 }
 
