@@ -6,6 +6,8 @@
 
 #include "Result.h"
 
+#include <CGAL/Tandem/Parameter_error.h>
+
 #include <pybind11/stl.h>
 
 #include <limits>
@@ -178,6 +180,26 @@ void add_settings(py::module_& module)
     .def_readwrite("backend", &Settings::backend);
 }
 
+// tandem.ParameterError, a ValueError that has the fields of Parameter_error.
+void add_parameter_error(py::module_& module)
+{
+  static const py::handle type =
+    py::exception<CGAL::Tandem::Parameter_error>(module, "ParameterError", PyExc_ValueError);
+  type.attr("__module__") = "tandem";
+  type.attr("__doc__") = "A parameter is outside of its range. Has the texts name, value and range.";
+  py::register_exception_translator([](std::exception_ptr failure) {
+    try {
+      std::rethrow_exception(failure);
+    } catch(const CGAL::Tandem::Parameter_error& e) {
+      const py::object error = type(e.what());
+      error.attr("name") = e.name();
+      error.attr("value") = e.value();
+      error.attr("range") = e.range();
+      PyErr_SetObject(type.ptr(), error.ptr());
+    }
+  });
+}
+
 } // namespace tandem_python
 
 PYBIND11_MODULE(_tandem, module)
@@ -185,6 +207,7 @@ PYBIND11_MODULE(_tandem, module)
   using namespace tandem_python;
   module.doc() = "The compiled part of tandem.";
   module.attr("__version__") = TANDEM_VERSION;
+  add_parameter_error(module);
   add_settings(module);
   add_result(module);
   add_selection(module);

@@ -23,11 +23,11 @@ from . import _tandem
 from ._arguments import (_count, _direction, _directions, _labels, _normals, _number, _points, _rows, _set, _switch,
                          _tolerances)
 from ._selection import _check_result, label_points, select_shapes
-from ._tandem import PlanarShapes, __version__
+from ._tandem import ParameterError, PlanarShapes, __version__
 
-__all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
-           "estimate_local_distances", "estimate_parameters", "find_violation", "label_points", "regularize_planes",
-           "select_shapes"]
+__all__ = ["EstimatedParameters", "ParameterError", "PlanarShapes", "PlaneRelations", "__version__", "backends",
+           "detect_planes", "estimate_local_distances", "estimate_parameters", "find_violation", "label_points",
+           "regularize_planes", "select_shapes"]
 
 Progress = Callable[[float], Optional[bool]]
 
@@ -129,8 +129,9 @@ def detect_planes(
 
     Returns PlanarShapes.
 
-    Raises ValueError, which names the argument: wrong shape or type of an array, a value outside of its range, too many
-    points, or an extent of the points of more than 2^24 times maximum_distance; TypeError: an argument that is no
+    Raises ParameterError, a ValueError with the texts name, value and range: a value outside of its range; ValueError,
+    which names the argument: wrong shape or type of an array, too many points, or an extent of the points of more than
+    2^24 times maximum_distance; TypeError: an argument that is no
     number; MemoryError; RuntimeError: the back end cannot be used here.
     """
     rows, zeros = _points(points, ignore_zeros)

@@ -104,6 +104,13 @@ def test_huge_numbers():
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
 
+def test_parameter_error():
+    with pytest.raises(tandem.ParameterError) as error:
+        tandem.detect_planes(np.zeros((1, 3)), maximum_angle=95)
+    assert (error.value.name, error.value.value) == ("maximum_angle", "95")
+    assert error.value.range.startswith("[0.05, 90)") and isinstance(error.value, ValueError)
+
+
 def test_they_are_used():
     given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
              "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
