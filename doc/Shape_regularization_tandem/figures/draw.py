@@ -162,8 +162,7 @@ def differences(work, name, printed, keeps):
 
 
 def tasks(work, keeps=True):
-    for name in "make_scene", "detect_planes":
-        (work / name).symlink_to(program(name))
+    (work / "detect_planes").symlink_to(program("detect_planes"))
     (work / "scripts").symlink_to(ROOT / "scripts")
     here = {"cwd": work, "env": {**os.environ, "PATH": f"{work}:{os.environ['PATH']}"}}
     failures = 0
