@@ -168,10 +168,10 @@ public:
     // There may be more files than a process can have open: they are opened, and closed again.
     for(std::size_t i = 0; i < cloud.parts.size() && !o.output_directory.empty(); ++i)
       Output_file(output_of(cloud.parts[i]));
-    if(!o.output_directory.empty())
-      written.push_back("one for each input in " + o.output_directory);
     if(is_first) // some of them may be in that folder
       open_files_of_all();
+    if(!o.output_directory.empty())
+      written.push_back("one for each input in " + o.output_directory);
   }
 
   // But for the mesh.
