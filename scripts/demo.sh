@@ -27,15 +27,25 @@ install() { [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_depend
 mkdir -p "$result"
 install g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev nlohmann-json3-dev
 [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || install libtbb-dev || echo "demo.sh: going on without oneTBB"
+install liblaszip-dev || echo "demo.sh: going on without LASzip, which files .laz need"
 install libjs-three || echo "demo.sh: going on without the page, which needs three.js"
 "$root/scripts/sample_cloud.sh" "$result/building.ply"
 
-echo "Building detect_planes with $jobs compilers at a time (some minutes; $log shows how far it is) ..."
 # shellcheck disable=SC2086
-{ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release ${cuda:--DTANDEM_WITH_CUDA=OFF} -DTANDEM_WITH_MPI=OFF \
-  -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON '-DTANDEM_EXAMPLES=^detect_planes$' \
-  -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" && cmake --build "$build" --target detect_planes -j "$jobs"; } \
-  > "$log" 2>&1 || { cat "$log" >&2; echo "demo.sh: the build failed" >&2; exit 1; }
+build() {
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release ${cuda:--DTANDEM_WITH_CUDA=OFF} -DTANDEM_WITH_MPI=OFF \
+    -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON '-DTANDEM_EXAMPLES=^detect_planes$' \
+    -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" &&
+    cmake --build "$build" --target detect_planes -j "$jobs" && echo "$built"
+}
+# The steps as they come: a loop of the shell reads lines, where others wait until they have a block.
+built="detect_planes is built"
+echo "Building detect_planes with $jobs compilers at a time, which takes some minutes (all messages: $log)"
+build 2>&1 | while IFS= read -r line; do
+  printf '%s\n' "$line" >&3
+  case $line in "["*) printf '%s\n' "$line" ;; esac
+done 3> "$log"
+[ "$(tail -n 1 "$log")" = "$built" ] || { cat "$log" >&2; echo "demo.sh: the build failed" >&2; exit 1; }
 
 # Those of all figures of this building; the distance is the depth of its facade. What is not given is estimated.
 set -- "$result/building.ply" --maximum-distance 0.15 --maximum-angle 25.842 --minimum-region-size 100 \
@@ -51,5 +61,6 @@ rm -f "$page" "$picture"
 
 printf '\nIn %s, of the building (a page needs three.js, a picture of it Chromium):\n' "$result"
 (cd "$result" && ls building_shapes.ply building_planes.txt building_report.json building*.html building*.png 2> /dev/null) || true
-[ ! -f "$page" ] || echo "The page opens in a browser: xdg-open $page"
-echo "Your own cloud: $program CLOUD.ply --output shapes.ply --view shapes.html    (--help lists the options)"
+[ ! -f "$page" ] || echo "The page opens in a browser: xdg-open '$page'"
+printf '\nThe program: %s\nTo try it, with your own cloud in place of building.ply:\n  %s\n' "$program" \
+  "'$program' '$result/building.ply' -o '$result/shapes.ply'"

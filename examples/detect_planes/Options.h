@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -161,7 +162,8 @@ private:
 
 // ---
 
-constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
+// Of estimate_normals: no PCA of a given number of neighbors. Nobody gives that number.
+constexpr long long by_library = std::numeric_limits<long long>::min();
 
 // Numbers of planes of --mesh: more take minutes, and those not even Ctrl-C ends soon.
 constexpr long long fewest_mesh_planes = 4, mesh_planes_by_default = 200, most_mesh_planes = 1000;

@@ -124,7 +124,7 @@ inline Box parse_box(const std::string& text)
 }
 
 // Throws std::invalid_argument where the options are wrong, or cannot be meant.
-inline Input_settings input_settings(const Options& o)
+inline Input_settings input_settings(const Options& o, const Built_with& built = built_with())
 {
   Input_settings settings;
   settings.tolerance = o.tolerance_column;
@@ -134,7 +134,8 @@ inline Input_settings input_settings(const Options& o)
   if(!o.format.empty())
     settings.format = "." + o.format;
   refuse_if(!o.format.empty() && !is_input_extension(settings.format), "--format is '", o.format,
-            "', must be ply, las, laz, pcd, off, ptx or that of a text table (", table_names(), ") without the point");
+            "', must be ply, las, ", built.laszip ? "laz, " : "", "pcd, off, ptx or that of a text table (",
+            table_names(), ") without the point");
   const auto has_input_of = [&](auto is_right) {
     return std::any_of(o.inputs.begin(), o.inputs.end(),
                        [&](const std::string& path) { return is_right(input_format(path, settings.format)); });
@@ -245,10 +246,8 @@ inline void check_positive(const char* name, const std::optional<double>& value)
 // As in: auto, sequential or parallel.
 inline std::string one_of(const std::vector<std::string>& words)
 {
-  std::string text = words[0];
-  for(std::size_t i = 1; i < words.size(); ++i)
-    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
-  return text;
+  const std::vector<std::string> first(words.begin(), words.end() - 1);
+  return boost::join(first, ", ") + (first.empty() ? "" : " or ") + words.back();
 }
 
 inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
@@ -306,7 +305,7 @@ inline void check_formats(const Options& o, const Built_with& built)
   refuse_if(o.label_property != Options().label_property && has_no_cloud,
             "--label-property needs --output or --output-directory");
   check_label_property(o.label_property);
-  input_settings(o);
+  input_settings(o, built);
 }
 
 // Ranges that the library does not know; parameters_of() checks the others.

@@ -8,11 +8,12 @@ _detect_planes()
   local program=$1 current=$2 previous=$3
   case $previous in
     --backend)
-      COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *--backend NAME *\([a-z, ]*\);.*/\1/p' | tr -d ,)" \
+      COMPREPLY=($(compgen -W "$("$program" --help all | sed -n 's/^ *--backend NAME *\([a-z, ]*\);.*/\1/p' | tr -d ,)" \
         -- "$current"))
       ;;
     --format)
-      COMPREPLY=($(compgen -W "ply las laz pcd off ptx xyz txt csv pts pwn xyzn xyzrgb asc" -- "$current"))
+      COMPREPLY=($(compgen -W "ply las $("$program" --help | grep -om1 '\<laz\>') pcd off ptx xyz txt csv pts pwn xyzn xyzrgb asc" \
+        -- "$current"))
       ;;
     --maximum-distance)
       COMPREPLY=($(compgen -W "auto auto-local" -- "$current"))
@@ -24,7 +25,7 @@ _detect_planes()
     *)
       COMPREPLY=()
       [[ $current != -* ]] ||
-        COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *\(--[a-z-]*\).*/\1/p')" -- "$current"))
+        COMPREPLY=($(compgen -W "$("$program" --help all | sed -n 's/^ *\(-[a-z] \[ \)*\(--[a-z-]*\).*/\2/p')" -- "$current"))
       ;;
   esac
 }

@@ -170,10 +170,15 @@ public:
       Output_file(output_of(cloud.parts[i]));
     if(is_first) // some of them may be in that folder
       open_files_of_all();
+    if(!o.output_directory.empty())
+      written.push_back("one for each input in " + o.output_directory);
   }
 
   // But for the mesh.
   bool is_empty() const { return files.empty() && options.output_directory.empty(); }
+
+  // Of those that were written, when all are.
+  std::string names() const { return boost::join(written, ", "); }
 
   // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
   void write(const Shapes& shapes, Run& run)
@@ -211,6 +216,7 @@ public:
     mesh->write([&](std::ostream& out) { facts = program::write_mesh(out, cloud.points, shapes, options); });
     check_signals();
     mesh->commit();
+    written.push_back(options.mesh);
     return facts;
   }
 
@@ -254,6 +260,7 @@ private:
       return;
     files.emplace_back(path);
     writers.push_back(writer);
+    written.push_back(path);
   }
 
   std::string output_of(const Input_part& part) const
@@ -273,6 +280,7 @@ private:
   const Input_cloud& cloud;
   std::deque<Output_file> files; // a file does not move
   std::vector<Writer> writers;   // of the first files
+  std::vector<std::string> written;
   std::optional<Output_file> mesh;
 };
 
@@ -343,6 +351,7 @@ try {
 void finish(Output_files& files, const Shapes& shapes, const Options& o, Ranks& ranks, Run& run)
 {
   const std::string failure = make_mesh(files, shapes, o, run);
+  run.files = files.names();
   const char* rest = files.is_empty() ? "" : "; the other files are complete";
   if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
     rest = "; the files are complete";

@@ -140,7 +140,8 @@ inline Usage_error option_error(const std::string& message, const Options& o)
   for(const auto& [name, given] : counts)
     if(option == name && given)
       value = std::to_string(*given);
-  return Usage_error(option + is + value + ", must be in " + message.substr(range_at + allowed.size()));
+  const std::string range = message.substr(range_at + allowed.size());
+  return Usage_error(option + is + value + (range.find_first_of("[(") == 0 ? ", must be in " : ", must be ") + range);
 }
 
 // What was given, checked. A length or size that is to be estimated is 0.

@@ -6,6 +6,8 @@
 #ifndef DETECT_PLANES_FILE_NAMES_H
 #define DETECT_PLANES_FILE_NAMES_H
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,6 +15,7 @@
 #include <initializer_list>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace program {
 
@@ -63,10 +66,7 @@ constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz"
 // With commas between them.
 inline std::string table_names()
 {
-  std::string names;
-  for(const char* extension : table_extensions)
-    names += (names.empty() ? "" : ", ") + std::string(extension);
-  return names;
+  return boost::join(std::vector<std::string>(table_extensions.begin(), table_extensions.end()), ", ");
 }
 
 inline bool is_table(const std::string& extension) { return is_in(extension, table_extensions); }

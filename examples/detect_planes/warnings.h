@@ -292,9 +292,15 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
   const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
   const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
   const double noise = is_distance_given ? smallest_noise(measure, ranks) : 0;
-  if(s.number_of_shapes == 0)
+  const bool is_poor = share_in_shapes(s, box) < poor_coverage;
+  if(!o.known_planes.empty() && (is_poor || s.number_of_assigned_points == 0))
+    warnings.push_back(sentence("only ", 100 * s.coverage, " % of the points are within the tolerances of a plane of ",
+                                o.planes_from,
+                                ": a larger --maximum-distance or --maximum-angle takes more, or the "
+                                "planes are those of other points"));
+  else if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
-  else if(share_in_shapes(s, box) < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
+  else if(is_poor && s.number_of_rounds > 0)
     warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
@@ -305,9 +311,6 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
   warnings.push_back(with_options(s.angle_note));
-  if(!o.known_planes.empty() && s.number_of_assigned_points == 0)
-    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
-                       ": a larger --maximum-distance or --maximum-angle takes more");
   return warnings;
 }
 

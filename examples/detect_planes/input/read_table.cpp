@@ -392,7 +392,7 @@ private:
     bool is_split = false; // a number, by a comma
     for(std::size_t c = 0; c < columns.size(); ++c) {
       if(c >= cells.size())
-        fail_at(row, "has ", c, " values instead of ", columns.size());
+        fail_at_row(row.number, "has ", c, " values instead of ", columns.size());
       is_split = is_split || (c > 0 && has_commas && is_rest_of_number(cells[c - 1], cells[c]));
       if(columns[c] == Column::none)
         continue;

@@ -48,7 +48,7 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
   return reasons;
 }
 
-// The shares of all points, and what to change for the largest one.
+// The shares of all points, and what to change. Of many free points, which nobody expects, all frequent reasons are told.
 inline std::string free_text(const CGAL::Tandem::Statistics& s)
 {
   std::ostringstream text;
@@ -60,7 +60,10 @@ inline std::string free_text(const CGAL::Tandem::Statistics& s)
   text << percent(s.free_points.total()) << " %: ";
   for(const Free_reason& r : reasons)
     text << (&r == reasons.data() ? "" : ", ") << percent(r.points) << " % " << r.name;
-  text << "; " << reasons[0].advice;
+  const bool are_many = percent(s.free_points.total()) > 35;
+  for(const Free_reason& r : reasons)
+    if(&r == reasons.data() || (are_many && percent(r.points) > 10))
+      text << (are_many ? "\n              " + text_of(r.name, ": ") : "; ") << r.advice;
   return text.str();
 }
 
@@ -84,6 +87,7 @@ struct Run {
   Tolerance_facts tolerance;
   std::size_t zeros = 0;   // points at 0 0 0 that --ignore-zeros leaves out
   std::string mesh;        // what there is to say about it
+  std::string files;       // that were written
   std::string planes_from; // the file of known planes, or nothing
   std::string selection;   // of shapes: the options, or nothing; and what there was before
   std::size_t detected_shapes = 0, detected_points = 0;
@@ -330,6 +334,8 @@ inline std::string summary(const Shapes& shapes, const Run& run)
                    << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
   if(!run.mesh.empty())
     row("mesh") << run.mesh << '\n';
+  if(!run.files.empty())
+    row("files") << Visible{run.files} << '\n';
   row("hash") << hash_text(run) << '\n';
   return out.str();
 }

@@ -17,7 +17,7 @@ import pytest
 
 SOURCES = Path(__file__).resolve().parents[3]
 PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
-HELP = subprocess.run([PROGRAM, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout if PROGRAM else ""
+HELP = subprocess.run([PROGRAM, "--help", "all"], stdout=subprocess.PIPE, text=True, check=True).stdout if PROGRAM else ""
 HAS_VIEW = "--view FILE" in HELP
 HAS_GZIP = ".gz" in HELP
 WARNS = "0 with warnings"

@@ -74,7 +74,19 @@ test_runs = cases([
     ("normals estimated\n.*shapes +3 in", "--estimate-normals bare.ply E"),
     ("normals by PCA of 9 neighbors\n.*shapes +3 in", "--estimate-normals 9 bare.ply E"),
     ("normals estimated\n.*shapes +3 in", "cube.ply E --estimate-normals"), ("at least [0-9]+ points", "cube.ply"),
-    ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help")], 0)
+    ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help all"),
+    ("files +o.ply, o.txt, one for each input in a folder\n", "cube.ply E -o o.ply --planes o.txt --output-directory 'a folder'"),
+    ("free +66.7 %: 66.7 % of shapes that were not selected\n +of shapes that were not selected: the options of the "
+     "selection leave them out\n", "cube.ply E --largest 1")], 0)
+
+
+def test_help_fits_a_screen(p):
+    """Its options are some of those of --help all."""
+    text = p(0, "^usage: .*--help all", "-h")
+    lines = text.splitlines()
+    names = re.findall("--[a-z-]+ ", text)
+    assert len(lines) <= 24 and max(map(len, lines)) <= 100 and len(names) > 10
+    assert all(name in HELP for name in names) and p(0, "usage", "--help") == text
 
 
 @table("offer, arguments", [("--view FILE", "--view v.html"), ("--mesh FILE", "--mesh m.off"), (".laz", "--output l.laz"),
@@ -132,7 +144,14 @@ def test_files_are_complete_without_standard_output(p):
 
 
 test_bad_usage = cases([
-    ("no INPUT", ""), ("unrecognised option", "cube.ply --max 3"),
+    ("no INPUT", ""), ("--max': did you mean --maximum-distance, --maximum-angle or --maximum-offset.", "cube.ply --max 3"),
+    *((f"option '{name}[^']*': did you mean {meant}[?] ", f"cube.ply {name}") for name, meant in (
+        ("--epsilon=3", "--maximum-distance"), ("--min_points", "--minimum-region-size"),
+        ("--normal-threshold", "--maximum-angle"), ("--cluster-epsilon", "--k-neighbors"), ("--lables", "--labels"),
+        ("--max-distance=3", "--maximum-distance"), ("-labels", "--label-property or --labels"))),
+    *((f"option '{name}' .detect_planes --help", f"cube.ply {name}") for name in ("--xyz", "-x", "---")),
+    *((f"{name}.*with a decimal point", f"cube.ply {name} 0,3") for name in (
+        "--maximum-distance", "--maximum-angle", "--threads")),
     *((pattern, arguments.format(option)) for option in ("--help", "--version") for pattern, arguments in (
         ("unrecognised option '--no-such-option'", "{} --no-such-option"),
         ("unrecognised option '--no-such-option'", "--no-such-option {}"), ("--threads", "{} --threads"))),
@@ -140,12 +159,12 @@ test_bad_usage = cases([
     ("maximum-distance", "cube.ply --maximum-distance far"), ("maximum-distance", "cube.ply --maximum-distance"),
     *((rf": --{name} is {re.escape(str(value))}, must be in {limits}", f"missing.ply --{name}={value}")
       for name, limits, values in (
-          ("maximum-distance", r"[\[(].*[\])]", (0, -1, "nan", "inf")), ("maximum-angle", r"[\[(].*[\])]", (0, 0.005, 90)),
-          ("maximum-offset", r"[\[(].*[\])]", (-1,)), ("angle-tolerance", ".0, 45. degrees", (45,)),
+          ("maximum-distance", ".*1e-?270", (0, -1, "nan", "inf")), ("maximum-angle", r"[\[(].*[\])]", (0, 0.005, 90)),
+          ("maximum-offset", ".*1e-?270", (-1,)), ("angle-tolerance", ".0, 45. degrees", (45,)),
           ("minimum-region-size", ".3, 2147483648. ", (-5, 0, 2, 2147483649, 9223372036854775807)),
           ("k-neighbors", ".3, 64. ", (-5, 2, 65, 2147483648)), ("simplicity", ".0, 1. ", (-1, "nan", "inf")),
           ("regularity", ".0, 10. ", (-1, "nan")), ("surfel-size", ".0, 0.55. ", (-1, "nan", 0.56)),
-          ("cell-size", ".64, 65536. ", (-1, 1)), ("threads", "", (0,)), ("estimate-normals", "", (2,)))
+          ("cell-size", ".64, 65536. ", (-1, 1)), ("threads", "", (0,)), ("estimate-normals", ".3, 1000.", (0, 2)))
           for value in values),
     *((f": --fixed-direction is '{value}', must be three numbers .*, as in 0,0,1 ", f"cube.ply --fixed-direction '{value}'")
       for value in ("0,0", "a,b,c", "0,0,0", "0 0 1", "0,0,1,0", "0,0,1x", "0,0,1e999", "nan,0,1", ",0,1")),

@@ -104,16 +104,18 @@ std::string text_of(std::vector<const char*> words, const program::Built_with& b
 BOOST_AUTO_TEST_CASE(offers)
 {
   const program::Built_with all, nothing = {false, false, false, false, false, false};
-  const auto check = [&](const char* option, const char* word) {
-    CHECK_AT(has(text_of({"cloud.ply", option}, all), word), word);
-    CHECK_AT(!has(text_of({"cloud.ply", option}, nothing), word), word);
+  const auto check = [&](const char* option, const char* input, const char* word) {
+    CHECK_AT(has(text_of({input, option}, all), word), word);
+    CHECK_AT(!has(text_of({input, option}, nothing), word), word);
   };
   for(const char* word :
       {"sequential, parallel", "cuda", "mpirun", "of each process", "processes", ".gz", ".laz", "--view ", "browser"})
-    check("--help", word);
-  check("--backend=foo", "parallel");
-  check("--backend=foo", "cuda");
-  check("--output=a.foo", ".laz");
+    check("--help", "all", word);
+  check("--backend=foo", "cloud.ply", "parallel");
+  check("--backend=foo", "cloud.ply", "cuda");
+  check("--output=a.foo", "cloud.ply", ".laz");
+  check("--format=foo", "cloud.ply", "laz");
+  check("--help", "cloud.ply", "--view ");
   CHECK(text_of({"cloud.ply", "--view=v.html"}, nothing) == text_of({"--help"}, nothing));
 }
 

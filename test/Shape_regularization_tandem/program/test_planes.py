@@ -71,7 +71,9 @@ def test_planes_without_points(p):
     assert report["relations"]["coplanar_groups"] == [[0], [1, 2, 3], [4]] and report["planes_from"] == "more.txt"
     p.warns("cube.ply E --planes-from more.txt --polygons o.obj", "3 of 5 shapes cover too few points")
     p.warns(f"cube.ply E --planes-from far.txt {VIEW} --output far.ply",
-            "no point is within the tolerances of a plane of far.txt: a larger --maximum-distance")
+            "only 0 % of the points are within the tolerances of a plane of far.txt: a larger --maximum-distance")
+    p.write({"few.txt": "0 0 1 -0.007\n"})
+    p.warns("cube.ply E --planes-from few.txt", "only [0-9.]+ % of the points are within .*, or the planes are those of other")
 
 
 @table("name, text, pattern", [
