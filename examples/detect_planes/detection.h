@@ -125,23 +125,18 @@ inline std::size_t count_of(const std::optional<long long>& given, std::size_t o
   return given ? std::size_t((std::max)(*given, 0LL)) : otherwise;
 }
 
-// From what the library says about a parameter, "NAME is VALUE, allowed is RANGE", what to say about the option.
-inline Usage_error option_error(const std::string& message, const Options& o)
+// What the library says about a parameter, of the option.
+inline Usage_error option_error(const CGAL::Tandem::Parameter_error& e, const Options& o)
 {
-  const std::string is = " is ", allowed = ", allowed is ";
-  const std::size_t value_at = message.find(is), range_at = message.find(allowed);
-  if(value_at == message.npos || range_at == message.npos)
-    return Usage_error(message);
-  std::string option = "--" + message.substr(0, value_at);
+  std::string option = "--" + e.name(), value = e.value();
   std::replace(option.begin(), option.end(), '_', '-');
-  std::string value = message.substr(value_at + is.size(), range_at - value_at - is.size());
   const std::pair<const char*, std::optional<long long>> counts[] = {
     {"--minimum-region-size", o.minimum_region_size}, {"--k-neighbors", o.k_neighbors}, {"--cell-size", o.cell_size}};
   for(const auto& [name, given] : counts)
     if(option == name && given)
       value = std::to_string(*given);
-  const std::string range = message.substr(range_at + allowed.size());
-  return Usage_error(option + is + value + (range.find_first_of("[(") == 0 ? ", must be in " : ", must be ") + range);
+  const bool is_interval = e.range().find_first_of("[(") == 0;
+  return Usage_error(option + " is " + value + (is_interval ? ", must be in " : ", must be ") + e.range());
 }
 
 // What was given, checked. A length or size that is to be estimated is 0.
@@ -169,8 +164,8 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   checked.minimum_region_size = count_of(o.minimum_region_size, 3);
   try {
     CGAL::Tandem::check_parameters(checked);
-  } catch(const std::invalid_argument& e) {
-    throw option_error(e.what(), o);
+  } catch(const CGAL::Tandem::Parameter_error& e) {
+    throw option_error(e, o);
   }
   p.maximum_distance = o.maximum_distance.value_or(o.estimated_distance);
   p.minimum_region_size = count_of(o.minimum_region_size, 0);
