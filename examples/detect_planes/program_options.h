@@ -86,7 +86,7 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
                       o.has_local_distances = text == "auto-local";
                       o.maximum_distance = parse_number(text);
                       refuse_if(!o.maximum_distance && !is_in(text, {"auto", "auto-local"}), "--maximum-distance is '",
-                                text, "', must be a number, with a decimal point if any, auto or auto-local");
+                                text, "', must be auto, auto-local or a number, with a decimal point if any");
                     }),
       "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
       "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
