@@ -86,7 +86,7 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
                       o.has_local_distances = text == "auto-local";
                       o.maximum_distance = parse_number(text);
                       refuse_if(!o.maximum_distance && !is_in(text, {"auto", "auto-local"}), "--maximum-distance is '",
-                                text, "', must be a number, with a decimal point if any, auto or auto-local");
+                                text, "', must be auto, auto-local or a number, with a decimal point if any");
                     }),
       "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
       "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
@@ -237,7 +237,7 @@ inline std::string short_help(const Built_with& built, const po::options_descrip
   std::ostringstream out;
   out << usage(built) << "\nThe most used options (--help all has all of them, by topic):\n" << std::left;
   for(const char* name : {"output", "planes", "shapes", "polygons", "view", "mesh", "report", "maximum-distance",
-                          "maximum-angle", "minimum-region-size", "largest", "columns", "estimate-normals", "threads"})
+                          "maximum-angle", "minimum-region-size", "simplicity", "largest", "columns", "threads"})
     if(const po::option_description* option = options.find_nothrow(name, false)) {
       const std::string& text = option->description();
       const std::size_t end = text.rfind(" (default");
@@ -266,7 +266,7 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add(group, "minimum-region-size", number_option(o.minimum_region_size, "N"),
       "smallest number of points of a shape, at least 3 (default: estimated)");
   add(group, "simplicity", number_option(o.simplicity, "MU"),
-      "what the size of a shape is worth, from 0, more layers and details, to 1, few and large planes (default: 0.04)");
+      "from 0 for layers and details to 1 for few and large planes: what the size of a shape is worth (default: 0.04)");
   add(group, "regularity", number_option(o.regularity, "R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");

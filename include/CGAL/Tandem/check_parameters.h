@@ -51,8 +51,7 @@ inline void check_length(const char* name, double value, double smallest)
 {
   if(!(value >= smallest) || value > largest_length)
     throw_out_of_range(name, value,
-                       smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice"
-                                    : "[0, infinity), and at most 1e270 in practice");
+                       smallest > 0 ? "a length above 0 (from 1e-270 to 1e270)" : "a length from 0 to 1e270");
 }
 
 // Written so that NaN is rejected.

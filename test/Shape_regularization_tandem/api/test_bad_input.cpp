@@ -110,10 +110,10 @@ BOOST_AUTO_TEST_CASE(test_misuse)
     std::vector<double> wrong;
   };
   for(const Case& c :
-      {Case{&Parameters::maximum_distance, "maximum_distance", "(0, infinity)", {-.5, not_a_number, infinity}},
+      {Case{&Parameters::maximum_distance, "maximum_distance", "a length above 0", {-.5, not_a_number, infinity}},
        Case{&Parameters::maximum_angle, "maximum_angle", "[0.05, 90)", {0, .005, 90, not_a_number}},
        Case{&Parameters::angle_tolerance, "angle_tolerance", "[0, 45)", {-1, 45}},
-       Case{&Parameters::maximum_offset, "maximum_offset", "[0, infinity)", {-1}},
+       Case{&Parameters::maximum_offset, "maximum_offset", "a length from 0", {-1}},
        Case{&Parameters::simplicity, "simplicity is ", "[0, 1]", {-1, not_a_number, infinity, 1e9}},
        Case{&Parameters::regularity, "regularity is ", "[0, 10]", {-1, not_a_number, infinity, 1e9}},
        Case{&Parameters::surfel_size, "surfel_size is ", "[0, 0.55]", {-1, not_a_number, infinity, 1e9}}})
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(test_misuse_of_counts)
     const auto list = positions.maximum_distance(v[0]).minimum_region_size(v[1]).k_neighbors(v[2]).cell_size(v[3]);
     CHECK_REFUSED(CGAL::Tandem::estimate_parameters(Cloud(), list), name, to_text(v[wrong]).c_str(), range);
   };
-  refuse({0, 50, 12, 100}, 0, "maximum_distance", "(0, infinity)");
+  refuse({0, 50, 12, 100}, 0, "maximum_distance", "a length above 0");
   for(const int wrong : {0, -5, 2})
     refuse({1, wrong, 12, 100}, 1, "minimum_region_size", "[3, 2147483648]");
   for(const int wrong : {2, 0, 65, -1})

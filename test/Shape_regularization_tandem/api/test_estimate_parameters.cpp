@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(test_scenes)
   };
   const auto ridge_of = [](std::size_t n) { return [=](Random& random) { return ridge(n, random); }; };
   const auto corridor = [](Random& random) { return points_of(Corridor(200, 150, 4.5, random).cloud); };
-  const std::vector<Scene> all = {{"sheets", sheets, .01, .03, "another one"},
+  const std::vector<Scene> all = {{"sheets", sheets, .01, .03, "a second one"},
                                   {"small ridge", ridge_of(2500), .022, .045, nullptr},
                                   {"large ridge", ridge_of(20000), .022, .045, nullptr},
                                   {"coarse steps", steps_of(.06, .0875), .048, .096, "steps"},

@@ -75,7 +75,8 @@ test_runs = cases([
     ("normals by PCA of 9 neighbors\n.*shapes +3 in", "--estimate-normals 9 bare.ply E"),
     ("normals estimated\n.*shapes +3 in", "cube.ply E --estimate-normals"), ("at least [0-9]+ points", "cube.ply"),
     ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help all"),
-    ("files +o.ply, o.txt, one for each input in a folder\n", "cube.ply E -o o.ply --planes o.txt --output-directory 'a folder'"),
+    ("files +o.ply, o.txt, one for each input in a folder\n", "cube.ply E -o o.ply --planes o.txt "
+     "--output-directory 'a folder'"),
     ("free +66.7 %: 66.7 % of shapes that were not selected\n +of shapes that were not selected: the options of the "
      "selection leave them out\n", "cube.ply E --largest 1")], 0)
 

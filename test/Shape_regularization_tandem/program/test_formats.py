@@ -63,7 +63,7 @@ test_inputs_and_options = cases([
     (2, "output is 'never.obj', must end in .ply, .las,", "cube.ply --output never.obj"),
     (2, "colors is 'red', must be shape or input", "cube.ply --colors red"),
     # Formats that an option tells
-    *((2, f"format is '{kind}', must be ply, las, laz, pcd, off, ptx or that of a text table", f"bare.xyz --format {kind}")
+    *((2, f"format is '{kind}', must be ply, las, (laz, )?pcd, off, ptx or that of a text table", f"bare.xyz --format {kind}")
       for kind in ("obj", ".xyz")), (1, "bare.xyz: is not a PLY file", "bare.xyz --format ply"),
     (2, "--columns is for text tables", "bare.xyz --format ply --columns 'x y z'")], absent=["never.obj"])
 

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 
 import pytest
-from support import SOURCES, Program, table
+from support import HELP, SOURCES, Program, table
 
 BUILD = os.environ.get("TANDEM_BUILD")
 pytestmark = pytest.mark.skipif(not BUILD, reason="TANDEM_BUILD is not set")
@@ -62,6 +62,7 @@ def installed(tmp_path_factory):
 
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
 @table("previous, word, found", [("cloud.ply", "--ang", "--angle-tolerance"), ("--backend", "s", "sequential"),
+                                 ("cloud.ply", "--he", "--help"), ("--format", "la", "las" + " laz" * (".laz" in HELP)),
                                  ("detect_planes", "cloud", ""), ("--output-directory", "{}/us", "{}/usr")])
 def test_completion(installed, previous, word, found):
     """What bash offers for the word after the previous one"""
