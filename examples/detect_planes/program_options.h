@@ -213,7 +213,7 @@ inline std::string usage(const Built_with& built)
                  "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
                  "INPUT is a file .ply, .las, ",
                  built.laszip ? ".laz, " : "", ".pcd, .off, .ptx\nor a text table (", table_names(), ")",
-                 built.gzip ? ", also with .gz behind" : "", built.gzip && built.laszip ? " (but .laz)" : "", ".\n");
+                 built.gzip ? ", also with .gz" : "", built.gzip && built.laszip ? " (but .laz)" : "", ".\n");
 }
 
 // By topic.
@@ -266,7 +266,7 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add(group, "minimum-region-size", number_option(o.minimum_region_size, "N"),
       "smallest number of points of a shape, at least 3 (default: estimated)");
   add(group, "simplicity", number_option(o.simplicity, "MU"),
-      "from 0 for layers and details to 1 for few and large planes: what the size of a shape is worth (default: 0.04)");
+      "from 0 for details to 1 for few and large planes: what the size of a shape is worth (default: 0.04)");
   add(group, "regularity", number_option(o.regularity, "R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");
