@@ -71,8 +71,8 @@ inline Distance_estimate describe_compromise(const Cloud_measure& m)
             "them: coordinates are in steps, which the estimated maximum_distance is meant to cover."};
   if(m.sheets > compromise_share)
     return {percent(m.sheets) +
-            " of the surfaces have a second one close to them: give a smaller maximum_distance to keep "
-            "the two apart, or a larger one to join them."};
+            " of the surfaces have a second one close to them, and the estimate keeps the two apart: "
+            "if they are one, as in scans that do not match, give a larger maximum_distance."};
   if(has_noise(m) && m.varies)
     return {"The noise varies from " + to_text(m.low_noise) + " to " + to_text(m.high_noise) +
               " over the cloud: a tolerance for each point fits better than the one that was estimated.",
