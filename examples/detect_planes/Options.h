@@ -8,7 +8,7 @@
 
 #include "errors.h"
 
-#include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
 #include <array>

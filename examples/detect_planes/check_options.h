@@ -12,7 +12,7 @@
 #include "input/Input_buffer.h"
 #include "input/read_cloud.h"
 
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
@@ -239,8 +239,7 @@ inline void check_count(const char* name, const std::optional<long long>& value,
 inline void check_positive(const char* name, const std::optional<double>& value)
 {
   const double number = value.value_or(1);
-  refuse_if(!(number > 0 && number <= CGAL::Tandem::largest_length), "--", name, " is ", CGAL::Tandem::to_text(number),
-            ", must be positive, and at most ", CGAL::Tandem::to_text(CGAL::Tandem::largest_length));
+  refuse_if(!(number > 0 && number <= 1e270), "--", name, " is ", number, ", must be positive, and at most 1e270");
 }
 
 // As in: auto, sequential or parallel.
@@ -328,7 +327,7 @@ inline void check(const Options& o, const Built_with& built)
             "--oriented needs --planes, --shapes, --view or --polygons");
   refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
-  check_count("largest", o.largest, 1, CGAL::Tandem::maximum_number_of_points);
+  check_count("largest", o.largest, 1, 1LL << 31);
   refuse_if(!detects && has_library_normals,
             "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
   refuse_if(!detects && o.backend == "cuda",

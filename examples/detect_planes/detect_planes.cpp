@@ -59,10 +59,10 @@ inline void select(const Point_set& points, const Options& o, Run& run, Shapes& 
 class Outward_sides {
 public:
   // After the normals were prepared. That given ones have no viewpoint is said before the detection, which may take long.
-  Outward_sides(const Options& o, Input_cloud& cloud, Ranks& ranks, Run& run)
-    : options(o), points(cloud.points), ranks(ranks), are_given(run.normals == "given")
+  Outward_sides(const Options& o, Input_cloud& cloud, Processes& processes, Run& run)
+    : options(o), points(cloud.points), processes(processes), are_given(run.normals == "given")
   {
-    ranks.together([&] {
+    processes.together([&] {
       if(are_given && o.viewpoint && !o.noise)
         throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (with "
                                  "--estimate-normals they are estimated)");
@@ -70,7 +70,7 @@ public:
     for(const Input_part& part : cloud.parts)
       if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
         views.push_back({part.first, part.last, *viewpoint});
-    is_seen = ranks.largest(double(views.size())) > 0;
+    is_seen = processes.largest(double(views.size())) > 0;
     if(is_seen && run.normals != "none")
       run.normals += ", towards the viewpoint";
   }
@@ -91,9 +91,9 @@ public:
     if(!is_seen && !has_oriented_planes)
       return shapes;
     std::vector<long long> votes;
-    ranks.together([&] { votes = votes_of(shapes); });
-    votes = ranks.sums(votes);
-    ranks.together([&] {
+    processes.together([&] { votes = votes_of(shapes); });
+    votes = processes.sums(votes);
+    processes.together([&] {
       Shapes::Data data = shapes.data();
       data.points = shapes.point_groups();
       for(std::size_t s = 0; s < votes.size() && is_seen; ++s)
@@ -149,7 +149,7 @@ private:
 
   const Options& options;
   Point_set& points;
-  Ranks& ranks;
+  Processes& processes;
   bool are_given;          // the normals
   std::vector<View> views; // of the own inputs
   bool is_seen = false;    // some input of any rank has a viewpoint
@@ -287,7 +287,7 @@ private:
 // What Planar_shapes_3::hash() is for the points of all ranks, in the order of the inputs: from file to file, the rank
 // that has it goes on.
 std::uint64_t hash_of_all(const Shapes& shapes, const std::vector<Input_part>& parts,
-                          const std::vector<int>& rank_of_input, const Ranks& ranks)
+                          const std::vector<int>& rank_of_input, const Processes& processes)
 {
   std::uint64_t hash = Shapes::hash(std::vector<std::int32_t>(), {});
   // A table of the own points, or an empty one.
@@ -299,7 +299,7 @@ std::uint64_t hash_of_all(const Shapes& shapes, const std::vector<Input_part>& p
           Shapes::add_to_hash(hash, std::uint32_t(table[i]));
         ++part;
       }
-      hash = ranks.number_of(rank_of_input[input], hash);
+      hash = processes.number_of(rank_of_input[input], hash);
     }
   };
   add(shapes.data().shape_of);
@@ -348,92 +348,92 @@ try {
 }
 
 // The mesh and the summary, when all other files are complete.
-void finish(Output_files& files, const Shapes& shapes, const Options& o, Ranks& ranks, Run& run)
+void finish(Output_files& files, const Shapes& shapes, const Options& o, Processes& processes, Run& run)
 {
   const std::string failure = make_mesh(files, shapes, o, run);
   run.files = files.names();
   const char* rest = files.is_empty() ? "" : "; the other files are complete";
   if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
     rest = "; the files are complete";
-  ranks.together([&] {
-    if(!o.is_quiet && ranks.is_first())
+  processes.together([&] {
+    if(!o.is_quiet && processes.is_first())
       print(summary(shapes, run), rest);
     if(!failure.empty())
       throw_error(failure, rest);
   });
 }
 
-void run(Options o, Ranks& ranks, Made_folders& folders)
+void run(Options o, Processes& processes, Made_folders& folders)
 {
-  ranks.together([&] {
-    check_program(o, ranks);
+  processes.together([&] {
+    check_program(o, processes);
     read_known_planes(o);
   });
-  const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
+  const Thread_limit limit(o.threads ? int(*o.threads) : processes.threads());
   Run run;
-  run.ranks = ranks.size();
+  run.processes = processes.size();
   Input_cloud cloud;
-  const std::vector<int> rank_of_input = read_inputs(o, ranks, cloud, run);
+  const std::vector<int> rank_of_input = read_inputs(o, processes, cloud, run);
   std::vector<Point_set::Index> hidden;
   if(o.ignores_zeros)
-    hidden = hide_zeros(cloud.points, ranks, run.zeros);
+    hidden = hide_zeros(cloud.points, processes, run.zeros);
   std::optional<Output_files> files;
   // The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
   for(bool is_turn_of_first : {true, false})
-    ranks.together([&] {
-      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
+    processes.together([&] {
+      if(!o.output_directory.empty() && processes.is_first() == is_turn_of_first)
         folders.make(o.output_directory);
     });
-  ranks.together([&] {
-    files.emplace(o, cloud, ranks.is_first());
+  processes.together([&] {
+    files.emplace(o, cloud, processes.is_first());
     prepare_normals(cloud.points, o, run);
   });
-  ranks.together([&] { choose_tolerances(cloud.points, ranks, o); });
-  ranks.together([&] { prepare_tolerances(o, cloud); });
-  Outward_sides sides(o, cloud, ranks, run);
+  processes.together([&] { choose_tolerances(cloud.points, processes, o); });
+  processes.together([&] { prepare_tolerances(o, cloud); });
+  Outward_sides sides(o, cloud, processes, run);
 
   std::optional<Shapes> shapes;
-  ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
+  processes.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, processes)); });
   // What the back end that was chosen in the end ran on.
   const std::string& backend = shapes->statistics().backend;
   run.device = backend == "cuda" ? CGAL::Tandem::cuda_device_report() : "CPU";
   run.threads = backend == "parallel" ? limit.threads() : 1;
-  run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
-  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run.tolerance);
+  run.tolerance = tolerance_facts(cloud.points, o, *shapes, processes);
+  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run.tolerance);
   warnings.emplace_back(sides.warning());
-  ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
+  processes.together([&] { select(cloud.points, o, run, *shapes, warnings); });
   warnings.push_back(warning_of_planes(cloud.points, *shapes, o));
-  run.hash = ranks.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, ranks) : shapes->hash();
-  run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  add_warnings(warnings, ranks.is_first(), run);
+  run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
+  run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
+  add_warnings(warnings, processes.is_first(), run);
   for(Point_set::Index i : hidden)
     cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
   const Shapes& sided = sides(*shapes);
-  ranks.together([&] { write_files(*files, sided, o, ranks.is_first(), run); });
-  ranks.together([&] {
+  processes.together([&] { write_files(*files, sided, o, processes.is_first(), run); });
+  processes.together([&] {
     first_signal_removes = 0; // from here on, all files get their names
     check_signals();
   });
-  ranks.together([&] {
+  processes.together([&] {
     files->commit();
     folders.keep();
   });
-  finish(*files, *shapes, o, ranks, run);
+  finish(*files, *shapes, o, processes, run);
 }
 
-void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_folders& folders)
+void run_command_line(int argc, const char* const argv[], Processes& processes, Made_folders& folders)
 {
   Command_line command_line;
   std::string all;
   for(int i = 1; i < argc; ++i)
     all += std::string(argv[i]) + '\n';
-  ranks.check_same(all, "command lines");
-  ranks.together([&] { command_line = parse(argc, argv, built_with()); });
+  processes.check_same(all, "command lines");
+  processes.together([&] { command_line = parse(argc, argv, built_with()); });
   const Options& o = command_line.options;
   if(!o.wants_help && !o.wants_version)
-    return run(o, ranks, folders);
-  ranks.together([&] {
-    if(ranks.is_first())
+    return run(o, processes, folders);
+  processes.together([&] {
+    if(processes.is_first())
       print(o.wants_help ? command_line.help : "detect_planes (Tandem) " + std::string(CGAL_TANDEM_VERSION) + "\n", "");
   });
 }
@@ -442,21 +442,21 @@ void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_fol
 int main_of_rank(int argc, char* argv[])
 {
   Made_folders folders; // they are removed last, after the files of all ranks
-  std::unique_ptr<Ranks> ranks;
+  std::unique_ptr<Processes> processes;
   try {
-    ranks = make_ranks(argc, argv);
+    processes = make_processes(argc, argv);
   } catch(const std::exception& e) {
     return find_launch().rank == 0 ? fail(1, e.what()) : 0;
   }
   try {
-    run_command_line(argc, argv, *ranks, folders);
+    run_command_line(argc, argv, *processes, folders);
     return 0;
   } catch(const Usage_error& e) {
-    return ranks->end(2, e.what(), " (detect_planes --help lists the options)");
+    return processes->end(2, e.what(), " (detect_planes --help lists the options)");
   } catch(const std::bad_alloc&) {
-    return ranks->end(1, "not enough memory");
+    return processes->end(1, "not enough memory");
   } catch(const std::exception& e) {
-    return ranks->end(1, e.what());
+    return processes->end(1, e.what());
   }
 }
 

@@ -14,10 +14,9 @@
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
-#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -87,12 +86,12 @@ inline void prepare_tolerances(const Options& o, Input_cloud& cloud)
 
 // No tolerance exceeds the maximum distance. The sum of all is one of integers, so that it does not depend on the ranks.
 inline Tolerance_facts tolerance_facts(const Point_set& points, const Options& o, const Shapes& shapes,
-                                       const Ranks& ranks)
+                                       const Processes& processes)
 {
   const double maximum_distance = shapes.parameters().maximum_distance;
   Tolerance_facts facts;
   facts.source = source_of_tolerances(o);
-  facts.note = o.estimate_note.empty() ? with_options(shapes.statistics().estimate_note) : o.estimate_note;
+  facts.note = o.estimate_note;
   facts.is_of_each_point = has_tolerance_of_each_point(o);
   facts.smallest = facts.mean = facts.largest = maximum_distance;
   if(!facts.is_of_each_point)
@@ -109,9 +108,9 @@ inline Tolerance_facts tolerance_facts(const Point_set& points, const Options& o
       sum += std::llround(std::ldexp(tolerance / maximum_distance, sum_bits));
       ++count;
     }
-  smallest = -ranks.largest(-smallest);
-  facts.largest = ranks.largest(largest);
-  const std::vector<long long> sums = ranks.sums({count, sum});
+  smallest = -processes.largest(-smallest);
+  facts.largest = processes.largest(largest);
+  const std::vector<long long> sums = processes.sums({count, sum});
   facts.smallest = sums[0] > 0 ? smallest : 0;
   facts.mean = sums[0] > 0 ? maximum_distance * std::ldexp(double(sums[1]) / double(sums[0]), -sum_bits) : 0;
   return facts;
@@ -244,10 +243,10 @@ private:
 
 // --- Finds what the program, as it is built, or this machine cannot do, before any work.
 
-inline void check_program(const Options& o, const Ranks& ranks)
+inline void check_program(const Options& o, const Processes& processes)
 {
   parameters_of(o);
-  if(ranks.are_many())
+  if(processes.are_many())
     check_ranks(o);
   // What is not built is bad usage, as a device that is not there is none.
   refuse_if(!is_in(o.backend, built_with().backends()), "--backend ", o.backend, " needs ",
@@ -358,19 +357,18 @@ inline void prepare_normals(Point_set& points, const Options& o, Run& run)
 // ---
 
 // An automatic distance is estimated here, once. Where the noise varies, it is one for each point.
-inline void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
+inline void choose_tolerances(const Point_set& points, const Processes& processes, Options& o)
 {
   if(o.maximum_distance || has_tolerance_of_each_point(o))
     return;
-  const CGAL::Tandem::Distance_estimate estimate = ranks.are_many()
-                                                     ? ranks.estimate_distance(points, o)
+  const CGAL::Tandem::Distance_estimate estimate = processes.are_many()
+                                                     ? processes.estimate_distance(points, o)
                                                      : estimate_distance<CGAL::Parallel_if_available_tag>(points, o);
-  o.estimate_note = with_options(estimate.note);
+  o.estimate_note = estimate.note;
   if(estimate.noise_varies) {
     o.has_local_distances = true;
     o.estimated_distance = 0; // the tolerances bound it
-    o.estimate_note = estimate.note.substr(0, estimate.note.find(':')) +
-                      ": each point has a tolerance of its own (--maximum-distance D is one for all)";
+    o.estimate_note += " Each point has a tolerance of its own; --maximum-distance D gives all points the same one.";
   }
 }
 
@@ -386,14 +384,14 @@ Shapes label_with(const Point_set& points, const Options& o)
 }
 
 // Only the points tell whether a given distance is too small for them.
-inline Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
+inline Shapes detect_on_backend(const Point_set& points, const Options& o, Processes& processes)
 try {
-  Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
+  Progress_line progress(!o.is_quiet && processes.is_first(), "estimating parameters");
   if(!o.known_planes.empty())
     return o.backend == "sequential" ? label_with<CGAL::Sequential_tag>(points, o)
                                      : label_with<CGAL::Parallel_if_available_tag>(points, o);
-  if(ranks.are_many())
-    return ranks.detect(points, o, progress);
+  if(processes.are_many())
+    return processes.detect(points, o, progress);
   if constexpr(has_cuda) {
     if(o.backend == "cuda")
       return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
@@ -402,13 +400,9 @@ try {
   }
   return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
                                    : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
-} catch(const std::range_error& e) {
-  const std::string message = e.what(), parameter = "maximum_distance";
-  const Cloud_box own = box_of(points, Ranks());
-  throw_error((message.compare(0, parameter.size(), parameter) == 0
-                 ? "--maximum-distance" + message.substr(parameter.size())
-                 : message),
-              (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+} catch(const CGAL::Tandem::Parameter_error& e) {
+  const Cloud_box own = box_of(points, Processes());
+  throw_error(option_error(e, o).what(), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
 } // namespace program

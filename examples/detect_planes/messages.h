@@ -8,7 +8,7 @@
 
 #include <boost/locale/utf.hpp>
 
-#include <CGAL/Tandem/detection_stage.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
 #include <chrono>

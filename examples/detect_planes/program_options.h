@@ -8,7 +8,7 @@
 
 #include "check_options.h"
 
-#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/program_options.hpp>

@@ -6,28 +6,14 @@
 #ifndef DETECT_PLANES_WARNINGS_H
 #define DETECT_PLANES_WARNINGS_H
 
-#include "ranks/Ranks.h"
 #include "output/report.h"
+#include "ranks/Processes.h"
 
-#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <new>
 
 namespace program {
-
-// What the library says of an estimate, with the options in place of its words.
-inline std::string with_options(std::string note)
-{
-  const std::pair<const char*, const char*> words[] = {
-    {"maximum_distance", "--maximum-distance"},
-    {"maximum_angle", "--maximum-angle"},
-    {"angle_tolerance", "--angle-tolerance"},
-    {"a tolerance for each point", "a tolerance for each point (--maximum-distance auto-local)"}};
-  for(const auto& [word, option] : words)
-    if(const std::size_t place = note.find(word); place != note.npos)
-      note.replace(place, std::strlen(word), option);
-  return note;
-}
 
 // --- The steps that coordinates come in, where digits of them were lost.
 
@@ -59,7 +45,7 @@ inline double unit_of(double x)
 
 // The step of floats, where all coordinates are some and have no finer step than the largest of them has; 0 if that
 // is not above `least`. Integers and rasters have larger ones.
-inline double step_of_floats(const Point_set& points, int axis, double least, const Ranks& ranks)
+inline double step_of_floats(const Point_set& points, int axis, double least, const Processes& processes)
 {
   double step = std::numeric_limits<double>::infinity(), largest = 0;
   std::optional<double> first;
@@ -74,8 +60,8 @@ inline double step_of_floats(const Point_set& points, int axis, double least, co
       step = 0;
     largest = (std::max)(largest, std::fabs(x));
   }
-  step = -ranks.largest(-step);
-  largest = ranks.largest(largest);
+  step = -processes.largest(-step);
+  largest = processes.largest(largest);
   const double unit = largest > 0 ? std::ldexp(1., std::ilogb(largest) - 23) : 0;
   return step > least && step <= unit ? step : 0;
 }
@@ -117,11 +103,11 @@ inline std::size_t points_in_cell(const std::array<std::vector<double>, 3>& valu
 }
 
 // Steps above `least`: those of floats, and others where points lie closer to each other than that.
-inline Coordinate_steps find_steps(const Point_set& points, double least, const Ranks& ranks)
+inline Coordinate_steps find_steps(const Point_set& points, double least, const Processes& processes)
 {
   Coordinate_steps steps;
   for(int c = 0; c < 3; ++c)
-    steps.of_axis[std::size_t(c)] = step_of_floats(points, c, least, ranks);
+    steps.of_axis[std::size_t(c)] = step_of_floats(points, c, least, processes);
   steps.are_floats = steps.of_axis != std::array<double, 3>{0, 0, 0};
   if(steps.are_floats)
     return steps;
@@ -134,7 +120,7 @@ inline Coordinate_steps find_steps(const Point_set& points, double least, const 
     remove_copies(sorted);
     const double step = common_step(sorted, least);
     const bool is_lost = step > 0 && points_in_cell(values, step) >= least_points_in_cell;
-    steps.of_axis[c] = ranks.largest(is_lost ? step : 0);
+    steps.of_axis[c] = processes.largest(is_lost ? step : 0);
   }
   return steps;
 }
@@ -159,7 +145,7 @@ struct Cloud_box {
   double extent() const { return (std::max)({side(0), side(1), side(2)}); }
 };
 
-inline Cloud_box box_of(const Point_set& points, const Ranks& ranks)
+inline Cloud_box box_of(const Point_set& points, const Processes& processes)
 {
   Box own;
   long long zeros = 0;
@@ -170,10 +156,10 @@ inline Cloud_box box_of(const Point_set& points, const Ranks& ranks)
       own += points.point(i).bbox();
   std::array<double, 6> sides;
   for(int c = 0; c < 3; ++c) {
-    sides[std::size_t(c)] = -ranks.largest(-own.min(c));
-    sides[std::size_t(c) + 3] = ranks.largest(own.max(c));
+    sides[std::size_t(c)] = -processes.largest(-own.min(c));
+    sides[std::size_t(c) + 3] = processes.largest(own.max(c));
   }
-  return {Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]), ranks.sums({zeros})[0]};
+  return {Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]), processes.sums({zeros})[0]};
 }
 
 inline bool are_zeros_strange(const Cloud_box& box)
@@ -199,9 +185,9 @@ inline bool look_like_degrees(const Cloud_box& box)
          box.side(2) > smallest_height_in_degrees * side;
 }
 
-inline std::string warning_of_steps(const Point_set& points, double tolerance, const Ranks& ranks)
+inline std::string warning_of_steps(const Point_set& points, double tolerance, const Processes& processes)
 {
-  const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, ranks);
+  const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, processes);
   std::string axes;
   for(std::size_t c = 0; c < 3; ++c)
     if(steps.of_axis[c] > 0)
@@ -236,14 +222,14 @@ inline double share_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box
 // measure(): the noise of the own points. The smallest of the ranks, infinite where there is no memory to measure it, as
 // the shapes are worth more, and where all points are one.
 template <class Measure>
-double smallest_noise(const Measure& measure, const Ranks& ranks)
+double smallest_noise(const Measure& measure, const Processes& processes)
 {
   double own = 0;
   try {
     own = measure();
   } catch(const std::bad_alloc&) {
   }
-  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
+  return -processes.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
@@ -272,11 +258,11 @@ inline std::string why_poor(const CGAL::Tandem::Statistics& s)
 
 // Of the whole run, on all ranks. Some of them may be empty.
 inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                             const Ranks& ranks, const Tolerance_facts& tolerance)
+                                             const Processes& processes, const Tolerance_facts& tolerance)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const Cloud_box box = box_of(points, ranks);
+  const Cloud_box box = box_of(points, processes);
   const double extent = box.extent();
   std::vector<std::string> warnings;
   if(are_zeros_strange(box))
@@ -285,13 +271,13 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
     warnings.push_back(sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ",
                                 box.side(0), ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees));
   if(tolerance.mean > 0)
-    warnings.push_back(warning_of_steps(points, tolerance.mean, ranks));
+    warnings.push_back(warning_of_steps(points, tolerance.mean, processes));
   // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
   const bool is_thin =
     s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_share * p.maximum_distance;
   const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
   const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
-  const double noise = is_distance_given ? smallest_noise(measure, ranks) : 0;
+  const double noise = is_distance_given ? smallest_noise(measure, processes) : 0;
   const bool is_poor = share_in_shapes(s, box) < poor_coverage;
   if(!o.known_planes.empty() && (is_poor || s.number_of_assigned_points == 0))
     warnings.push_back(sentence("only ", 100 * s.coverage, " % of the points are within the tolerances of a plane of ",
@@ -310,7 +296,7 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
-  warnings.push_back(with_options(s.angle_note));
+  warnings.push_back(s.angle_note);
   return warnings;
 }
 

@@ -6,9 +6,8 @@
 #ifndef TANDEM_PYTHON_RESULT_H
 #define TANDEM_PYTHON_RESULT_H
 
+#include "../shape_columns.h"
 #include "detection.h"
-
-#include <CGAL/Tandem/shape_columns.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -311,7 +310,7 @@ inline py::dict table(const Result& result)
     dict[py::str(name)] = array_by_shape(result, number_of);
   };
   add("shape", [](std::size_t s) { return s; });
-  CGAL::Tandem::for_each_shape_column(result.shapes(), facts_of(result), add);
+  tandem_examples::for_each_shape_column(result.shapes(), facts_of(result), add);
   return dict;
 }
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
@@ -13,6 +13,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <sstream>
 #include <stdexcept>
 
 namespace tandem_python {
@@ -22,21 +23,16 @@ using CGAL::Tandem::Parameters;
 
 namespace {
 
-// Negative counts do not wrap around, and 0 does not mean that the value is to be estimated.
-std::size_t count(const CGAL::Tandem::Count_range& range, const std::optional<long long>& given, std::size_t otherwise)
+// Throws for a value that would mean "to be estimated" in Parameters, and for a negative one, which would wrap around.
+template <class T, class Given>
+T above_zero(const char* name, const std::optional<Given>& given, T otherwise)
 {
-  if(!given)
-    return otherwise;
-  if(*given < (long long)(range.smallest) || *given > (long long)(range.largest))
-    CGAL::Tandem::throw_out_of_range(range.name, *given, to_text(range));
-  return std::size_t(*given);
-}
-
-double length(const char* name, const std::optional<double>& given, double smallest)
-{
-  if(given)
-    CGAL::Tandem::check_length(name, *given, smallest);
-  return given.value_or(0);
+  if(given && !(*given > 0)) {
+    std::ostringstream value;
+    value << *given;
+    throw CGAL::Tandem::Parameter_error(name, value.str(), "a number above 0");
+  }
+  return given ? T(*given) : otherwise;
 }
 
 // A length or size that is to be estimated is 0. The offset stays a parameter of its own: it may be 0.
@@ -44,16 +40,15 @@ Parameters parameters_of(const Settings& s)
 {
   using namespace CGAL::Tandem;
   Parameters p;
-  p.maximum_distance = length("maximum_distance", s.maximum_distance, smallest_length);
-  length("maximum_offset", s.maximum_offset, 0);
+  p.maximum_distance = above_zero("maximum_distance", s.maximum_distance, 0.);
   p.maximum_angle = s.maximum_angle.value_or(p.maximum_angle);
   p.angle_tolerance = s.angle_tolerance.value_or(p.angle_tolerance);
-  p.minimum_region_size = count(minimum_region_size_range, s.minimum_region_size, 0);
+  p.minimum_region_size = above_zero("minimum_region_size", s.minimum_region_size, std::size_t(0));
   p.simplicity = s.simplicity.value_or(p.simplicity);
   p.regularity = s.regularity.value_or(p.regularity);
   p.surfel_size = s.surfel_size.value_or(p.surfel_size);
-  p.k_neighbors = count(k_neighbors_range, s.k_neighbors, p.k_neighbors);
-  p.cell_size = count(cell_size_range, s.cell_size, p.cell_size);
+  p.k_neighbors = above_zero("k_neighbors", s.k_neighbors, p.k_neighbors);
+  p.cell_size = above_zero("cell_size", s.cell_size, p.cell_size);
   p.regularize_parallelism = s.regularize_parallelism;
   p.regularize_orthogonality = s.regularize_orthogonality;
   p.regularize_coplanarity = s.regularize_coplanarity;

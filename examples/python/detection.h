@@ -8,8 +8,8 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 #include <CGAL/Tandem/Plane_relations.h>
-#include <CGAL/Tandem/Shape_facts.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>

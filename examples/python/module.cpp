@@ -6,7 +6,7 @@
 
 #include "Result.h"
 
-#include <CGAL/Tandem/Parameter_error.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <pybind11/stl.h>
 

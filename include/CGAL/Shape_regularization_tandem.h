@@ -16,9 +16,6 @@ The detector, and what a result offers without further libraries. Models made of
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
-#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
-#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
@@ -28,10 +25,8 @@ The detector, and what a result offers without further libraries. Models made of
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 #include <CGAL/Shape_regularization_tandem/tags.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
-#include <CGAL/Tandem/Parameter_error.h>
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>
-#include <CGAL/Tandem/check_parameters.h>
-#include <CGAL/Tandem/detection_stage.h>
+#include <CGAL/Tandem/Statistics.h>
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_H

@@ -10,8 +10,6 @@ Models made of a result: outlines of shapes, closed surfaces, measures of shapes
 long to compile: link `Tandem::tandem_models`.
 */
 
-#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
-#include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>

@@ -6,8 +6,8 @@
 //   draw_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE CLOUDS TABLES
 // writes CLOUDS/*.ply and TABLES/*.md.
 
-#include "shape_colors.h"
 #include "clouds/read_ply.h"
+#include "shape_colors.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>
@@ -172,7 +172,7 @@ private:
               bool by_direction = false) const
   {
     Table table(tables_ + name + ".md", "`" + name + "`");
-    const auto text = [](Number value) { return CGAL::Tandem::to_text(value); };
+    const auto text = [](Number value) { return CGAL::Tandem::internal::to_text(value); };
     for(std::size_t i = 0; i < values.size(); ++i) {
       Parameters p = right_;
       p.*parameter = values[i];

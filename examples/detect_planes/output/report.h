@@ -91,7 +91,7 @@ struct Run {
   std::string planes_from; // the file of known planes, or nothing
   std::string selection;   // of shapes: the options, or nothing; and what there was before
   std::size_t detected_shapes = 0, detected_points = 0;
-  int threads = 1, ranks = 1;
+  int threads = 1, processes = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing
   double read_seconds = 0;
@@ -240,7 +240,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   Json json = {{"input", utf8(run.input)}, {"normals", run.normals},   {"backend", s.backend},
-               {"device", run.device},     {"threads", run.threads},   {"processes", run.ranks},
+               {"device", run.device},     {"threads", run.threads},   {"processes", run.processes},
                {"hash", hash_text(run)},   {"grid_step", s.grid_step}, {"is_grid_coarse", s.is_grid_coarse},
                {"warnings", Json::array()}};
   for(const std::string& warning : run.warnings)
@@ -329,7 +329,7 @@ inline std::string summary(const Shapes& shapes, const Run& run)
                  << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
                  << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "
                  << run.read_seconds << '\n';
-  row("execution") << s.backend << ", " << (run.ranks == 1 ? "" : std::to_string(run.ranks) + " processes of ")
+  row("execution") << s.backend << ", " << (run.processes == 1 ? "" : std::to_string(run.processes) + " processes of ")
                    << run.threads << (run.threads == 1 ? " thread, " : " threads, ") << s.number_of_rounds
                    << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
   if(!run.mesh.empty())

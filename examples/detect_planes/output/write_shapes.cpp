@@ -3,13 +3,13 @@
 //
 // The shapes as polygons and as vertex groups.
 
+#include "../shape_columns.h"
 #include "output/writers.h"
 
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
-#include <CGAL/Tandem/shape_columns.h>
 
 namespace program {
 
@@ -50,7 +50,7 @@ const Json& Described_shapes::table() const
     return *table_;
   const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(shapes, points, areas());
   table_.emplace();
-  CGAL::Tandem::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
+  tandem_examples::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
     Json& column = (*table_)[name] = Json::array();
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       column.push_back(number_of(s));

@@ -10,7 +10,7 @@
 #include "input/read_cloud.h"
 #include "output/report.h"
 
-#include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
 
 namespace program {
 

@@ -30,9 +30,10 @@ namespace {
 
 namespace mpi = boost::mpi;
 
-class Mpi_ranks : public Ranks {
+class Mpi_processes : public Processes {
 public:
-  Mpi_ranks(int& argc, char**& argv, const Launch& launch) : environment(argc, argv, mpi::threading::funneled, false)
+  Mpi_processes(int& argc, char**& argv, const Launch& launch)
+    : environment(argc, argv, mpi::threading::funneled, false)
   {
     if(world.size() != launch.size)
       throw_error(launch.size, " processes were started (", launch.variable, "), of which MPI knows ", world.size(),
@@ -143,9 +144,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<Ranks> make_mpi_ranks(int& argc, char**& argv, const Launch& launch)
+std::unique_ptr<Processes> make_mpi_processes(int& argc, char**& argv, const Launch& launch)
 {
-  return std::make_unique<Mpi_ranks>(argc, argv, launch);
+  return std::make_unique<Mpi_processes>(argc, argv, launch);
 }
 
 } // namespace program

@@ -4,7 +4,7 @@
 #include "output/writers.h"
 #include "view/write_points.h"
 
-#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

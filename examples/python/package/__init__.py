@@ -129,10 +129,10 @@ def detect_planes(
 
     Returns PlanarShapes.
 
-    Raises ParameterError, a ValueError with the texts name, value and range: a value outside of its range; ValueError,
-    which names the argument: wrong shape or type of an array, too many points, or an extent of the points of more than
-    2^24 times maximum_distance; TypeError: an argument that is no
-    number; MemoryError; RuntimeError: the back end cannot be used here.
+    Raises ParameterError, a ValueError with the texts name, value and range: a value is outside of its range, or the
+    extent of the points is more than 2^24 times maximum_distance; ValueError, which names the argument: an array has
+    the wrong shape or type, or there are too many points; TypeError: an argument is no number; MemoryError;
+    RuntimeError: the back end cannot be used here.
     """
     rows, zeros = _points(points, ignore_zeros)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), zeros)

@@ -9,8 +9,8 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
+#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #ifndef CGAL_TANDEM_USE_ENGINE // which has compiled it
 #include <CGAL/Tandem/internal/engine/Engine.h>
@@ -37,7 +37,8 @@ inline double seconds_since(std::chrono::steady_clock::time_point start)
 \brief detects and regularizes planar shapes in tandem, step by step.
 
 The constructor reads the range once, through its maps; the range is not needed afterwards. After an exception, such as
-one of the callback, there are no shapes: all functions but the destructor throw `std::logic_error`.
+one that the callback throws, there are no shapes: `iterate()`, `detect()`, `finish()` and `shapes()` throw
+`std::logic_error`.
 
 \tparam Traits a model of `TandemTraits_3`
 */
@@ -55,9 +56,10 @@ public:
   reads the points, estimates the parameters that are not given, and finds the neighbors of the points.
   \param points a range of points
   \param np the named parameters of `detect_planes()`
-  \throw Parameter_error a parameter is outside of its range
+  \throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
+  `maximum_distance`
   \throw std::length_error more than 2^31 points (of one process)
-  \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
+  \throw std::range_error the extent of the cloud is more than 2^24 times 1e270
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters())
@@ -94,7 +96,8 @@ public:
   Planar_shape_detection_3(const Planar_shape_detection_3&) = delete;
   Planar_shape_detection_3& operator=(const Planar_shape_detection_3&) = delete;
 
-  /// iterates until nothing grows any more, and finishes. Returns `false` if the callback has cancelled.
+  /// calls `iterate()` until nothing grows any more, then `finish()`. Returns `false` if the callback has cancelled the
+  /// detection.
   bool detect()
   {
     while(iterate()) {
@@ -103,8 +106,8 @@ public:
     return !is_cancelled();
   }
 
-  /// one round of growth and regularization, of Algorithm 1 of \cgalCite{OLA16}. Returns `false` when nothing grows
-  /// any more, or after a cancellation.
+  /// does one round of growth and regularization, as in Algorithm 1 of \cgalCite{OLA16}. Returns `false` when nothing
+  /// grows any more, and after a cancellation.
   bool iterate()
   {
     const internal::Round_to_nearest rounding;
@@ -112,8 +115,9 @@ public:
     return engine_ && !is_finished_ && !is_cancelled() && together([&] { return engine_->iterate(); });
   }
 
-  /// cleans up, and verifies each point against the final plane of its shape; after a cancellation, of the shapes found
-  /// until then. All that the package guarantees holds for `shapes()` afterwards.
+  /// finds the final shapes, and checks each point against the final plane of its shape. After a cancellation these are
+  /// the shapes found until then. Afterwards `shapes()` has all that the package guarantees. Does nothing when called
+  /// again.
   void finish()
   {
     const internal::Round_to_nearest rounding;
@@ -126,8 +130,8 @@ public:
     together([&] { progress_.show_end(); });
   }
 
-  /// the shapes: before `finish()` those of the last round, whose planes are not final, after it the final ones, whose
-  /// tables of points all copies share
+  /// returns the shapes: before `finish()` those of the last round, whose planes are not final; after `finish()` the
+  /// final ones. Copies of them share the tables of points.
   Shapes shapes() const
   {
     const internal::Round_to_nearest rounding;
@@ -135,12 +139,12 @@ public:
     Backend backend = traits_.backend();
     return Ranks(backend).together([&] {
       const auto start = std::chrono::steady_clock::now();
-      Shapes_data data =
+      internal::Shapes_data data =
         internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
       Statistics& statistics = data.statistics;
       statistics.is_cancelled = is_cancelled();
       statistics.estimate_note = estimate_note_;
-      statistics.angle_note = angle_note(parameters_);
+      statistics.angle_note = internal::angle_note(parameters_);
       statistics.backend = engine_ ? engine_->name() : Backend::name();
       Stage_times& times = statistics.times;
       times.sort += import_time_;
@@ -150,10 +154,10 @@ public:
     });
   }
 
-  /// the parameters in use, with what was estimated
+  /// returns the parameters in use, estimated ones included
   const Parameters& parameters() const { return parameters_; }
 
-  /// whether the callback has cancelled the detection. If it has done so after the last round, the result is complete.
+  /// returns whether the callback has cancelled the detection. If it did so after the last round, the result is complete.
   bool is_cancelled() const { return progress_.is_cancelled(); }
 
 private:

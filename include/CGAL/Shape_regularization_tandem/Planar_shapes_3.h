@@ -4,8 +4,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 
-#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 #include <CGAL/Tandem/internal/result/group_points.h>
 
 #include <boost/range/iterator_range_core.hpp>
@@ -48,9 +48,9 @@ public:
   /// a `std::array` of four doubles
   using Coefficients = Tandem::Coefficients;
   /// a range of `std::int32_t` with random access iterators
-  using Shape_indices = Shared_table<std::int32_t>;
+  using Shape_indices = internal::Shared_table<std::int32_t>;
   /// \cond SKIP_IN_MANUAL
-  using Data = Shapes_data;
+  using Data = internal::Shapes_data;
   /// \endcond
 
   /// a range of positions in the caller's range, ascending: iterators, `size()`, `empty()` and an index operator. It
@@ -73,34 +73,34 @@ public:
   /// \name Shapes
   /// @{
 
-  /// the number of shapes
+  /// returns the number of shapes
   std::size_t number_of_shapes() const { return planes_.size(); }
 
-  /// the plane of shape `s`, of unit normal. All shapes of a parallel group have the same normal.
+  /// returns the plane of shape `s`, with a unit normal. All shapes of a parallel group have the same normal.
   const Plane_3& plane(std::size_t s) const { return planes_[s]; }
 
-  /// the planes of all shapes
+  /// returns the planes of all shapes
   const std::vector<Plane_3>& planes() const { return planes_; }
 
-  /// the plane of shape `s` as (a, b, c, d) with a x + b y + c z + d = 0 and a unit normal: in double also where the
-  /// kernel has less
+  /// returns the plane of shape `s` as (a, b, c, d) with a x + b y + c z + d = 0 and a unit normal, in double for every
+  /// kernel
   const Coefficients& coefficients(std::size_t s) const { return data_.coefficients[s]; }
 
-  /// whether most of the given normals of the points of shape `s` are opposite to the normal of `plane(s)`
+  /// returns whether most of the given normals of the points of shape `s` are opposite to the normal of `plane(s)`
   bool is_flipped(std::size_t s) const { return data_.is_flipped[s] != 0; }
 
-  /// the plane of shape `s`, oriented as the majority of the normals of its points. If the normals are estimated,
-  /// they have no orientation, and this is `plane(s)`.
+  /// returns the plane of shape `s`, oriented as most of the given normals of its points are. Estimated normals have no
+  /// orientation: then it returns `plane(s)`.
   Plane_3 oriented_plane(std::size_t s) const { return is_flipped(s) ? planes_[s].opposite() : planes_[s]; }
 
-  /// how well the points of shape `s` determine its plane
+  /// returns how well the points of shape `s` determine its plane
   const Plane_uncertainty& uncertainty(std::size_t s) const { return data_.uncertainty[s]; }
 
-  /// the number of points of shape `s`; with `Mpi_tag`, of all processes
+  /// returns the number of points of shape `s`; with `Mpi_tag`, of all processes
   std::size_t size(std::size_t s) const { return data_.size[s]; }
 
-  /// the positions of the points of shape `s` in the caller's range, ascending. With `Mpi_tag` all functions about
-  /// points are about the range of the calling process.
+  /// returns the positions of the points of shape `s` in the caller's range, ascending. With `Mpi_tag`, this and the
+  /// functions below are about the range of the calling process.
   Positions points(std::size_t s) const
   {
     return Positions(points_.position.data() + points_.first[s], points_.position.data() + points_.first[s + 1]);
@@ -110,20 +110,21 @@ public:
   /// \name Points
   /// @{
 
-  /// the number of points of the caller's range
+  /// returns the number of points of the caller's range
   std::size_t number_of_points() const { return data_.shape_of.size(); }
 
-  /// the shape of the point at position `i` of the caller's range, -1 if it has none
+  /// returns the shape of the point at position `i` of the caller's range, -1 if it has none
   int shape_index(std::size_t i) const { return data_.shape_of[i]; }
 
-  /// the shape of each point, -1 for none: a range with iterators, `size()`, `empty()` and an index operator. Copies
+  /// returns the shape of each point, -1 for none: a range with iterators, `size()`, `empty()` and an index operator. Copies
   /// share the indices.
   const Shape_indices& shape_indices() const { return data_.shape_of; }
 
-  /// whether the normals were estimated
+  /// returns whether the normals were estimated
   bool has_estimated_normals() const { return data_.statistics.has_estimated_normals; }
 
-  /// the estimated unit normal of the point at position `i`; null if it has none. \pre `has_estimated_normals()`
+  /// returns the estimated unit normal of the point at position `i`, or a null vector if none could be estimated.
+  /// \pre `has_estimated_normals()`
   Vector_3 estimated_normal(std::size_t i) const
   {
     using FT = typename GeomTraits::FT;
@@ -135,41 +136,41 @@ public:
   /// \name Relations
   /// @{
 
-  /// the number of distinct directions
+  /// returns the number of distinct directions
   std::size_t number_of_parallel_groups() const { return data_.statistics.number_of_directions; }
-  /// the number of distinct planes
+  /// returns the number of distinct planes
   std::size_t number_of_coplanar_groups() const { return data_.statistics.number_of_planes; }
-  /// the parallel group of shape `s`
+  /// returns the parallel group of shape `s`
   std::size_t parallel_group(std::size_t s) const { return std::size_t(data_.parallel_group[s]); }
-  /// the coplanar group of shape `s`
+  /// returns the coplanar group of shape `s`
   std::size_t coplanar_group(std::size_t s) const { return std::size_t(data_.coplanar_group[s]); }
 
-  /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
+  /// returns pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
 
-  /// the index of the first of the `fixed_directions` of the detection that parallel group `g` has, up to its sign; -1
-  /// if it has none
+  /// returns which of the `fixed_directions` of the detection parallel group `g` has, up to its sign: the index of the
+  /// first one, or -1
   int fixed_direction(std::size_t g) const { return data_.fixed_direction[g]; }
 
-  /// the symmetry group of parallel group `g`: parallel groups of a symmetry group make the same angle with the
+  /// returns the symmetry group of parallel group `g`: parallel groups of a symmetry group make the same angle with the
   /// `symmetry_direction` of the detection, up to 1e-15 of its cosine. It is -1 for a detection without that direction.
   int symmetry_group(std::size_t g) const { return data_.symmetry_group[g]; }
 
-  /// whether the planes of shapes `s` and `t` have the same normal
+  /// returns whether the planes of shapes `s` and `t` have the same normal
   bool are_parallel(std::size_t s, std::size_t t) const { return parallel_group(s) == parallel_group(t); }
-  /// whether shapes `s` and `t` have the same plane
+  /// returns whether shapes `s` and `t` have the same plane
   bool are_coplanar(std::size_t s, std::size_t t) const { return coplanar_group(s) == coplanar_group(t); }
-  /// whether the planes of shapes `s` and `t` are orthogonal; takes logarithmic time
+  /// returns whether the planes of shapes `s` and `t` are orthogonal; takes logarithmic time
   bool are_orthogonal(std::size_t s, std::size_t t) const
   {
     const std::pair<int, int> groups = std::minmax({data_.parallel_group[s], data_.parallel_group[t]});
     return std::binary_search(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end(), groups);
   }
 
-  /// one shape of each coplanar group: a list of the distinct planes
+  /// returns one shape of each coplanar group, by group: shapes that have the distinct planes
   std::vector<std::size_t> distinct_planes() const
   {
-    const std::vector<int> first = representatives(data_.coplanar_group);
+    const std::vector<int> first = internal::representatives(data_.coplanar_group);
     return std::vector<std::size_t>(first.begin(), first.end());
   }
   /// @}
@@ -180,14 +181,14 @@ public:
   /// counts, quality, times and memory
   const Statistics& statistics() const { return data_.statistics; }
 
-  /// the parameters that were used, with what was estimated
+  /// returns the parameters that were used, estimated ones included
   const Parameters& parameters() const { return data_.parameters; }
 
-  /// whether the callback ended the detection early. The shapes found until then are complete and verified.
+  /// returns whether the callback ended the detection early. The shapes found until then are complete and verified.
   bool is_cancelled() const { return data_.statistics.is_cancelled; }
 
-  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, of the coefficients, and
-  /// of the normals where they are estimated
+  /// returns a hash of the result, which is equal for equal results: of the shape indices, in the order of the range, of
+  /// the coefficients and, where they are estimated, of the normals
   std::uint64_t hash() const
   {
     std::uint64_t h = hash(data_.shape_of, data_.coefficients);
@@ -196,8 +197,7 @@ public:
     return h;
   }
 
-  /// the hash of these shape indices and of these planes: that of a result with given normals whose points are in the
-  /// order of the indices
+  /// returns the hash that a result with given normals has, if these are its shape indices and planes
   template <class IndexRange>
   static std::uint64_t hash(const IndexRange& shape_indices, const std::vector<Coefficients>& planes)
   {
@@ -211,7 +211,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Data& data() const { return data_; }
-  const Point_groups& point_groups() const { return points_; }
+  const internal::Point_groups& point_groups() const { return points_; }
 
   static void add_to_hash(std::uint64_t& h, std::uint64_t word)
   {
@@ -234,7 +234,7 @@ private:
   // Labels outside of the shapes are left out; is_valid_result() reports them.
   void take_points()
   {
-    points_ = std::exchange(data_.points, Point_groups());
+    points_ = std::exchange(data_.points, internal::Point_groups());
     if(!points_.first.empty())
       return;
     internal::Sequential_backend backend;
@@ -243,7 +243,7 @@ private:
 
   Data data_;
   std::vector<Plane_3> planes_;
-  Point_groups points_;
+  internal::Point_groups points_;
 };
 
 } // namespace CGAL::Tandem

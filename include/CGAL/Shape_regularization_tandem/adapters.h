@@ -40,7 +40,7 @@ public:
     : index_(std::make_shared<const std::vector<int>>(std::move(index)))
   {}
 
-  /// the index of a position
+  /// returns the index of the plane of a position, or -1
   friend int get(const Position_index_map& map, std::size_t position) { return (*map.index_)[position]; }
 
 private:
@@ -50,7 +50,7 @@ private:
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-a property map from the position of a point to its shape, -1 for none: an index of `shapes.planes()`.
+returns a property map from the position of a point to its shape, which is an index of `shapes.planes()`; -1 for none.
 */
 template <class GeomTraits>
 Position_index_map shape_index_map(const Planar_shapes_3<GeomTraits>& shapes)
@@ -61,8 +61,8 @@ Position_index_map shape_index_map(const Planar_shapes_3<GeomTraits>& shapes)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-a property map from the position of a point to its coplanar group, -1 for none: an index of the planes that
-`distinct_planes()` returns.
+returns a property map from the position of a point to its coplanar group, which is an index of the planes that
+`distinct_planes()` returns; -1 for none.
 */
 template <class GeomTraits>
 Position_index_map plane_index_map(const Planar_shapes_3<GeomTraits>& shapes)
@@ -77,7 +77,7 @@ Position_index_map plane_index_map(const Planar_shapes_3<GeomTraits>& shapes)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-the distinct planes of the shapes, in the order of their coplanar groups.
+returns the distinct planes of the shapes, in the order of their coplanar groups.
 */
 template <class GeomTraits>
 std::vector<typename GeomTraits::Plane_3> distinct_planes(const Planar_shapes_3<GeomTraits>& shapes)
@@ -100,8 +100,8 @@ using Point_with_plane = std::tuple<typename GeomTraits::Point_3, typename GeomT
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief the points of the shapes, projected onto their planes, with the oriented normal of the plane and one index for
-each distinct plane.
+\brief returns the points of the shapes, projected onto their planes, each with the oriented normal of its plane and with
+its coplanar group.
 
 `CGAL::Polygonal_surface_reconstruction` fits a plane of its own to each group of points. Given the projected points of
 a plane, that fit is the plane.
@@ -109,6 +109,8 @@ a plane, that fit is the plane.
 \param points the range that the shapes were detected in
 \param shapes the shapes
 \param np an optional sequence of named parameters, of which `point_map` is read
+
+\return an item for each point of a shape, shape after shape
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& points,
@@ -133,9 +135,12 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief writes the shape of each point, -1 for none, into an `int` property of the point set, which is added if it is not
-there. The property is written to files, is shown by CGAL Lab, and maps items to planes where a `plane_index_map` is
-asked for.
+\brief writes the shape of each point, or -1, into the `int` property `name` of the point set, which is added if it is not
+there. CGAL writes the property to files and CGAL Lab shows it. It also serves as `plane_index_map`.
+
+\param points the points that the shapes were detected in
+\param shapes the shapes
+\param name the name of the property
 
 \return the property map
 */

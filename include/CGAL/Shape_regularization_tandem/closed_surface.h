@@ -42,7 +42,7 @@ struct Closed_surface_3 {
   /// of shapes says that much of the scan is no part of a volume.
   std::size_t number_of_points = 0;
 
-  /// whether nothing is enclosed
+  /// returns whether nothing is enclosed
   bool is_empty() const { return faces.empty(); }
 };
 
@@ -55,13 +55,12 @@ The planes cut the box of the points into cells, and a minimum cut chooses those
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
 
 The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
-is empty if the planes enclose nothing, or fewer than four of them, walls included, have an area. Corners are rounded to
+is empty if the planes enclose nothing, or if fewer than four planes, walls included, have an area. Corners are rounded to
 `FT`, and the ends of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in their
 planes up to that, and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from
 the origin, faces may touch or cross.
 
-It is in the header `CGAL/Shape_regularization_tandem/closed_surface.h`, which `CGAL/Shape_regularization_tandem.h` does
-not include.
+Include `CGAL/Shape_regularization_tandem_models.h`.
 
 With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
 each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points or a wall, 256 rays are tested with

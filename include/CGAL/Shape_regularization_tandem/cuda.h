@@ -13,7 +13,7 @@ namespace CGAL::Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-whether the CUDA back end is linked and there is a device for it. Does not throw.
+returns whether the CUDA back end is linked and there is a device for it. Does not throw.
 */
 inline bool cuda_available()
 {
@@ -27,7 +27,8 @@ inline bool cuda_available()
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-name, memory and compute capability of the device that a call with `Cuda_tag` would use, or why there is none
+returns a text with the name, memory and compute capability of the device that a call with `Cuda_tag` would use, or with
+the reason why there is none
 */
 inline std::string cuda_device_report()
 {

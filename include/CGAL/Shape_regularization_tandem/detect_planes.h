@@ -49,8 +49,9 @@ the defaults then
   \cgalParamNBegin{maximum_distance_map}
     \cgalParamDescription{a property map from the value type of the range to a number type: the largest distance of each
     point to the plane of its shape, in units of the points, for points whose noise differs, as that of a depth camera
-    does with the range. `maximum_distance` is an upper bound then, and becomes the largest tolerance where it exceeds that. Points whose tolerance is not positive belong to no
-    shape, and are counted; see \ref Tandem_parameters_tolerances}
+    does with the range. Then `maximum_distance` is an upper bound of the tolerances; where it is larger than all of them, it
+    becomes the largest one. Points whose tolerance is not positive belong to no shape, and are counted; see
+    \ref Tandem_parameters_tolerances}
     \cgalParamDefault{all points have `maximum_distance`. With the map, and without `maximum_distance`, that is what
     95 of 100 tolerances do not exceed}
   \cgalParamNEnd
@@ -140,12 +141,12 @@ the defaults then
 
 \return the shapes as a `Planar_shapes_3`
 
-\throw Parameter_error a parameter is outside of its range
+\throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
+`maximum_distance` and more than one point in twenty is a quarter of that away from the median on an axis
 \throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails
-\throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, and more than one point in twenty is
-a quarter of that away from the median on an axis; or the extent is more than 2^24 times 1e270
+\throw std::range_error the extent of the cloud is more than 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -8,7 +8,12 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/engine/local_distances.h>
+#include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
+
+#include <vector>
 
 namespace CGAL::Tandem {
 
@@ -24,16 +29,18 @@ namespace CGAL::Tandem {
 
 The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
 
-Copies of a point count once. Points far from all others do not count where they are at most a hundredth at each end of
-each axis. Where given normals have sides, the two sides of a thin wall count each by itself. The estimate is computed
-on the host, whatever the tag.
+Copies of a point count once. Up to a hundredth of the points at each end of each axis do not count if they are far from
+all others. Where given normals are oriented, each of the two sides of a thin wall counts by itself. The estimate is
+computed on the host, whatever the tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.
 
 \param points a range of points
-\param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
-\param estimate where it is not null, gets what is to be said of an estimated `maximum_distance`
+\param np the named parameters of `detect_planes()`. Parameters that are given are kept, and checked.
+\param estimate if it is not null, gets a note on the estimated `maximum_distance`
+
+\return all parameters, given and estimated ones
 
 \throw Parameter_error a parameter is outside of its range
 \throw std::length_error more than 2^31 points (of one process)
@@ -55,6 +62,67 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
     return p;
   });
 }
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief measures the noise of points, from which `estimate_parameters()` estimates `maximum_distance`: a quantile, over
+the surfaces, of the root mean square distance of points to the planes of their neighborhoods. It is 0 where there is no
+surface. The manual has the numbers: \ref Tandem_parameters_estimated.
+
+\param points a range of points
+\param np the named parameters of `detect_planes()`, of which those for points and normals count
+
+\return the noise, in the units of the points
+\throw std::length_error more than 2^31 points (of one process)
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+double estimate_noise(const PointRange& points, const NamedParameters& np = NamedParameters())
+{
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
+    const internal::Import in = internal::read_range(backend, points, np, traits);
+    return internal::measure_cloud(backend, in).noise;
+  });
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief estimates a tolerance for each point: the largest distance to the plane of its shape, where the noise varies over
+the cloud.
+
+It is the `maximum_distance` that `estimate_parameters()` gives for all points, times the ratio of the noise around the
+point to the noise of the cloud, and it is smooth along the surfaces: \ref Tandem_parameters_estimated. Pass the values as
+`maximum_distance_map` if `Distance_estimate::noise_varies` is true. The estimate does not depend on the order of the
+points. It is computed on the host, whatever the tag.
+
+\param points a range of points
+\param np the named parameters of `detect_planes()`, of which those for points and normals count
+
+\return a value for each item of the range, in its order, in the units of the points; NaN for points that are ignored
+\throw std::length_error more than 2^31 points (of one process)
+\throw std::range_error the extent of the points is more than 2^24 times 1e270
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<double> estimate_local_distances(const PointRange& points, const NamedParameters& np = NamedParameters())
+{
+  return internal::on_backend<ConcurrencyTag>(points, np, [&](auto& backend, const auto& traits) {
+    const internal::Import in = internal::read_range(backend, points, np, traits);
+    return internal::estimate_local_distances(backend, in);
+  });
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+returns the `maximum_distance` for points whose noise is known: the same multiple of the noise as in
+`estimate_parameters()`.
+
+\param noise the standard deviation of the distances of points to their plane
+*/
+inline double distance_of_noise(double noise) { return internal::tuning::estimation::distance_per_noise * noise; }
 
 } // namespace CGAL::Tandem
 

@@ -23,23 +23,23 @@ using Checking_tag = typename std::conditional<Is_given<internal_np::communicato
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection.
+\brief checks a result against the points: returns whether all holds that `Planar_shapes_3` promises for a finished
+detection.
 
-A result is refused, whatever it holds, unless its shapes are a partition of points, each point is within the tolerances
-of its shape, shapes are large enough and connected, its parameters are within their ranges, and its relations are
-exactly those of its planes. Statistics and uncertainties are not measured again. Other parameters for the same shapes
-cannot be told from the points.
+Returns `true` only if each point is in at most one shape and within the tolerances of it, shapes are large enough and
+connected, parameters are within their ranges, and relations are exactly those of the planes. Statistics and uncertainties are not measured again. The function cannot
+tell whether the same shapes were detected with other parameters.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
-of a detection. Distances and angles are evaluated in double; beyond its tolerance a point may be only by
-the rounding of that evaluation, 8 units in the last place of its largest term.
+of a detection. Distances and angles are evaluated in double. A point may exceed its tolerance only by the rounding of
+that evaluation: 8 units in the last place of its largest term.
 
 \param points the range that the shapes were detected in
 \param shapes the shapes
 \param np the named parameters of the detection, of which only `point_map`, `normal_map`, `maximum_distance_map`,
 `geom_traits` and `communicator` are read. The maps have to be those of the detection. A result of `Mpi_tag` needs the
-communicator, and is checked by all of its processes.
-\param why if it is not null, gets the first violation that was found: what, and for which point or shape
+communicator, and all of its processes have to call the function.
+\param why if it is not null, gets a sentence on the first violation: what, and of which point or shape
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
 bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,

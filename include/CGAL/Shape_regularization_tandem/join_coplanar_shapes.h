@@ -5,8 +5,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
+#include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
 #include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 
 #include <cstddef>
@@ -36,15 +36,13 @@ inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t 
 
 \brief makes one shape of all shapes of each coplanar group: a result with one shape for each distinct plane.
 
-Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, which
-is why `is_valid_result()` refuses the result; all else that `Planar_shapes_3` promises holds.
+Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, so
+`is_valid_result()` returns `false` for the result; all else that `Planar_shapes_3` promises holds.
 `Planar_shapes_3::is_flipped()` is that of the shapes with most of the points; `uncertainty()` is measured again at all
 points, up to rounding in their order. Numbers of shapes and relations are counted again, as the terms of
-`Statistics::score` are, except its links, which remain those of the detection. What else was measured remains right.
+`Statistics::score` are, except its links, which remain those of the detection. The other statistics remain right.
 
-It is in the header `CGAL/Shape_regularization_tandem/join_coplanar_shapes.h`, which
-`CGAL/Shape_regularization_tandem.h` does not include.
-
+\return the result with one shape for each distinct plane
 \param shapes the result of a detection
 \param points the range of points that it is of
 \param np an optional sequence of named parameters, of which `point_map` is read
@@ -57,8 +55,8 @@ Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTrait
                                                  const NamedParameters& np = NamedParameters())
 {
   const auto coordinates = internal::checked_coordinates(shapes, points, np);
-  const Shapes_data& of_shapes = shapes.data();
-  Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
+  const internal::Shapes_data& of_shapes = shapes.data();
+  internal::Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
   data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());
   const Planar_shapes_3<GeomTraits> joined(data);
   const auto position = [&](std::size_t i) {

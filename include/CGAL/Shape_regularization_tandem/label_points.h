@@ -9,7 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
 #include <CGAL/tags.h>
@@ -120,10 +120,10 @@ std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, c
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief labels further points by the planes of a result: those of the full cloud, for example, where shapes were detected
-in a part of its points.
+\brief labels further points by the planes of a result: for example those of the full cloud, if shapes were detected in a
+part of its points.
 
-A point gets the shape whose plane is nearest to it, of those that take it. A shape takes a point
+A point gets the shape with the nearest plane among the shapes that can take it. A shape can take a point
 - within `maximum_distance` of its plane, and
 - with a normal within `maximum_angle` of that of the plane, if there are normals, and
 - if `shape_points` are given, within `reach` of one of the points of the shape. Without them, planes have no
@@ -134,8 +134,7 @@ lowest index. Each point is judged by itself, so of the promises of `Planar_shap
 labels: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer
 than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
 
-It is in the header `CGAL/Shape_regularization_tandem/label_points.h`, which `CGAL/Shape_regularization_tandem.h` does
-not include. The result is the same for every order of the points and for every tag and number of threads. Time is
+The result is the same for every order of the points and for every tag and number of threads. Time is
 linear in the number of points, times that of planes or, with `shape_points`, times that of these within reach.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`

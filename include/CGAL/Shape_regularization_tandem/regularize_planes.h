@@ -7,8 +7,8 @@
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>
-#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
@@ -169,17 +169,17 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
 
 Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_planes()`, for planes of efficient RANSAC,
 region growing or any other detector. Unlike that function, this one
-- ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
+- makes all orthogonal groups exactly orthogonal: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
 - fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
-  saves are worth more than what the points lose. The loss is the growth of the sum of their squared distances, divided
-  by the square of `maximum_distance`. A degree of freedom is worth `regularity` times the number of points of the
-  smallest plane and a tenth of that of the largest plane that has it. No plane loses more than two of its own are worth by
-  its direction, or one by its offset;
+  saves are worth more than it costs. The cost is the growth of the sum of squared distances of the points, divided by
+  the square of `maximum_distance`. A degree of freedom is worth `regularity` times the sum of two numbers: the points
+  of the smallest plane, and a tenth of the points of the largest plane that has this degree of freedom. The direction
+  of a plane never costs more than two degrees of freedom, its offset never more than one;
 - reports the relations, and how far each plane moved.
 
-Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
-or that has a fixed direction, gets a unit normal, also where it had that relation before; other planes are left as they
+Planes keep their orientation. Each plane that is parallel, orthogonal, coplanar or symmetric to another one in the
+result, or that has a fixed direction, gets a unit normal, even if it had that relation before. Other planes stay as they
 are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
 nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
 `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
@@ -240,9 +240,10 @@ linear in the number of points.
 
 \return how the planes are related
 
-\throw Parameter_error a parameter is outside of its range
+\throw Parameter_error a parameter is outside of its range, or the extent of the points is more than 2^24 times
+`maximum_distance`
 \throw std::length_error more than 2^31 points
-\throw std::range_error the extent of the points is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
+\throw std::range_error the extent of the points is more than 2^24 times 1e270
 */
 template <class PlaneRange, class PointRange, class NamedParameters>
 Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points, const NamedParameters& np)

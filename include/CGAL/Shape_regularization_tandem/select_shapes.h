@@ -10,7 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
 #include <array>
@@ -111,22 +111,20 @@ inline void keep_largest_shapes(const Shapes_data& data, std::size_t number, std
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief a result with these shapes of another one only.
+\brief returns a result that has only the shapes with these indices.
 
 Shape i of the result is the shape of the i-th index, so the order is that of the indices. Points of other shapes have
 no shape, and count as `Free_points::unselected`. Planes, and the relations of the shapes that are left, are the same;
-groups are numbered again, and numbers of shapes, relations and points are counted again. So the result is valid, as
-`is_valid_result()` tells it, and all functions of a result take it. What was measured at points or in time remains that
-of the detection: `Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and,
+groups are numbered again, and numbers of shapes, relations and points are counted again. So `is_valid_result()` returns
+`true`, and all functions on results can be used. Some measures remain those of the detection: `Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and,
 where shapes are left out, `Statistics::score`.
 
-It is in the header `CGAL/Shape_regularization_tandem/select_shapes.h`, which `CGAL/Shape_regularization_tandem.h` does
-not include. With `Mpi_tag`, each process calls it for its own result, with the same indices.
+Include `CGAL/Shape_regularization_tandem_models.h`. With `Mpi_tag`, each process calls it for its own result, with the same indices.
 
 \param shapes the result of a detection
-\param indices a range of integers, in any order; an empty one is a result without shapes
+\param indices a range of integers, in any order; an empty range gives a result without shapes
 
-\throw std::invalid_argument an index is not that of a shape, or is there twice
+\throw std::invalid_argument an index is not that of a shape, or occurs twice
 */
 template <class GeomTraits, class IndexRange>
 Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& shapes, const IndexRange& indices)
@@ -136,10 +134,10 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
   for(const auto& index : indices) {
     const std::size_t s = std::size_t(index); // negative ones become too large
     if(s >= number.size())
-      throw std::invalid_argument("There is no shape " + to_text(index) + ": the result has " + to_text(number.size()) +
-                                  " shapes, from 0 on.");
+      throw std::invalid_argument("There is no shape " + internal::to_text(index) + ": the result has " +
+                                  internal::to_text(number.size()) + " shapes, from 0 on.");
     if(number[s] >= 0)
-      throw std::invalid_argument("Shape " + to_text(s) + " is selected twice.");
+      throw std::invalid_argument("Shape " + internal::to_text(s) + " is selected twice.");
     number[s] = int(source.size());
     source.push_back(s);
   }
@@ -149,9 +147,8 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief a result with the shapes of another one that fit all of the criteria given, in their order.
-
-The result is that of the function with their indices.
+\brief returns a result that has only the shapes that fit all given criteria, in their order, as `select_shapes()` with
+their indices.
 
 \param shapes the result of a detection
 \param points the range of points that it is of. Only `minimum_area` and `minimum_extent` read it.
@@ -186,9 +183,8 @@ The result is that of the function with their indices.
 \cgalNamedParamsEnd
 
 \throw Parameter_error a parameter is outside of its range
-\throw std::invalid_argument the points
-are not those of the detection, where they are read
-\throw std::logic_error a part of the points is in other processes (`Mpi_tag`), where they are read. The other criteria
+\throw std::invalid_argument the points are read, and are not those of the detection
+\throw std::logic_error the points are read, and a part of them is in other processes (`Mpi_tag`). The other criteria
 select the same shapes in all processes.
 */
 template <class GeomTraits, class PointRange, class NamedParameters>

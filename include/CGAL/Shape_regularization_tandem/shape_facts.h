@@ -5,10 +5,10 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_FACTS_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -44,11 +44,10 @@ std::vector<Shape_facts> facts_with_areas(const Planar_shapes_3<GeomTraits>& sha
 
 \brief measures the shapes: position, size, inclination, and distances to their points.
 
-It is in the header `CGAL/Shape_regularization_tandem/shape_facts.h`, which `CGAL/Shape_regularization_tandem.h` does not
-include.
+Include `CGAL/Shape_regularization_tandem_models.h`.
 
-All that is measured of a shape takes O(n log n) time, for n points, and most of it is taken by `polygons()`, for the areas; the
-second function takes them from polygons that are at hand. With `CGAL_LINKED_WITH_TBB`, shapes are processed in parallel.
+A shape of n points takes O(n log n) time. Most of it is spent in `polygons()`, for the areas; the second function takes
+the areas from polygons that the caller has already. With `CGAL_LINKED_WITH_TBB`, shapes are processed in parallel.
 The result is the same for every number of threads.
 
 \param shapes the result of a detection
@@ -86,9 +85,16 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief does the same, with the areas of polygons that are at hand: those of the shapes, not of distinct planes.
+\brief measures the shapes as above, with areas from polygons that the caller has already.
 
-\throw std::invalid_argument also if there is not an entry of `areas` for each shape
+\param shapes the result of a detection
+\param points the range of points that it is of
+\param areas the result of `polygons()` for these shapes, with an entry for each shape
+\param np the named parameters above
+
+\return an entry for each shape
+
+\throw std::invalid_argument as above, or `areas` does not have one entry for each shape
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,

@@ -99,21 +99,18 @@ inline void measure_labels(const Import& in, Shapes_data& data)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief a result of known planes: each of them is a shape, with the points that `label_points()` gives to it.
+\brief returns a result with known planes: each plane is a shape, with the points that `label_points()` gives to it.
 
-Shape s is plane s, also where it has no points. Planes do not change, except that normals become unit, and that a plane
-whose normal is exactly the opposite of that of a plane before is turned. Planes of exactly the same normal are
-parallel, exactly the same planes are coplanar, and orthogonal groups, `fixed_directions` and the symmetry are found as
-for a detection; none is made. Coplanar shapes cannot be told from each other: the first has all points.
+Shape s is plane s, also where it has no points. Planes stay as they are, except that their normals become unit vectors, and that a plane is turned over if
+its normal is exactly opposite to that of an earlier plane. Planes with exactly the same normal are
+parallel, exactly the same planes are coplanar. Orthogonal groups, `fixed_directions` and symmetry are found, not made.
+Of coplanar shapes, the first one gets all points.
 
 Of the promises of `Planar_shapes_3`, those on relations hold, and points are within the tolerances. Shapes need not be
-connected, and may have less than `minimum_region_size` points, or none, so `is_valid_result()` refuses the result.
+connected, and may have less than `minimum_region_size` points, or none, so `is_valid_result()` returns `false`.
 Normals are not estimated: without a normal map only distances count, and `Planar_shapes_3::has_estimated_normals()` is
 false in any case.
 In the statistics, points without a shape count as `Free_points::clutter`, and the score is 0.
-
-It is in the header `CGAL/Shape_regularization_tandem/shapes_of_planes.h`, which `CGAL/Shape_regularization_tandem.h`
-does not include.
 
 \tparam ConcurrencyTag as of `label_points()`
 \param planes the planes a x + b y + c z + d = 0, with normals of any length
@@ -122,8 +119,8 @@ does not include.
 
 \return the shapes as a `Planar_shapes_3` of the kernel of the points
 
-\throw std::invalid_argument the normal of a plane is null or not finite, or its distance from the origin is not finite; or
-names the parameter that is outside of its range, its value and the range
+\throw Parameter_error a parameter is outside of its range
+\throw std::invalid_argument the normal of a plane is null or not finite, or its distance from the origin is not finite
 \throw std::length_error more than 2^31 points
 \throw std::range_error as `detect_planes()`
 */
@@ -138,7 +135,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
     Parameters p = internal::read_parameters(np);
     internal::Import in = internal::read_range(backend, points, np, traits);
     const std::string note = internal::set_scale(backend, in, internal::has_own_offset(np), p);
-    Shapes_data data = internal::start_export(in, p);
+    internal::Shapes_data data = internal::start_export(in, p);
     internal::take_planes(planes, data);
     data.shape_of = internal::labels_by_planes(backend, in, data.coefficients, p);
     data.statistics.has_estimated_normals = false;
@@ -147,7 +144,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
     internal::measure_relations(data, {});
     data.statistics.score = {};
     data.statistics.estimate_note = note;
-    data.statistics.angle_note = angle_note(p);
+    data.statistics.angle_note = internal::angle_note(p);
     data.statistics.backend = backend.name();
     data.statistics.times.finish = data.statistics.times.total = timer.time();
     return Planar_shapes_3<typename std::decay<decltype(traits)>::type::Geom_traits>(std::move(data));

@@ -4,6 +4,7 @@
 #ifndef CGAL_TANDEM_STATISTICS_H
 #define CGAL_TANDEM_STATISTICS_H
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -30,7 +31,7 @@ struct Stage_times {
 What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
 points with the same `maximum_distance`, `minimum_region_size` m, `simplicity`, `regularity` and `k_neighbors`, by which
 the detection itself decided. The manual explains its terms:
-\ref Tandem_method_score.
+\ref Tandem_algorithm_score.
 */
 struct Result_score {
   double fit = 0;     ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
@@ -117,6 +118,29 @@ struct Statistics {
     return number_of_ignored_coordinates + number_of_ignored_normals + number_of_ignored_tolerances +
            number_of_far_points;
   }
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+How well the points of a shape determine its plane: standard deviations and covariances to first order, for errors of the
+points that are independent and alike. The plane is that through its `centroid` and normal; the error of its offset there
+and that of its normal are not correlated. The manual has the formulas, and what they leave out:
+\ref Tandem_method_uncertainty.
+*/
+struct Plane_uncertainty {
+  /// of the points of the shape, in the coordinates of the input
+  std::array<double, 3> centroid = {0, 0, 0};
+  /// the noise of a point across the plane: the root of the sum of the squared distances to the plane by the number of
+  /// points less 3. It is `maximum_distance` for a shape of three points, which have no residual.
+  double noise = 0;
+  /// the covariance of the unit normal, without a unit (radians): xx, xy, xz, yy, yz, zz. It has no part along the
+  /// normal. Its other two eigenvalues are at most 1, which stands for a direction that the points do not determine.
+  std::array<double, 6> normal_covariance = {0, 0, 0, 0, 0, 0};
+  /// the standard deviation of the plane along its normal at the `centroid`
+  double offset_deviation = 0;
+  /// the standard deviation of the normal, in degrees, along the axis where it is largest
+  double angle_deg = 0;
 };
 
 } // namespace CGAL::Tandem

@@ -18,7 +18,7 @@ const auto maps = positions.normal_map(Second<Kernel>());
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-using CGAL::Tandem::to_text;
+using CGAL::Tandem::internal::to_text;
 
 inline Cloud make_box(int points_a_face = 1500) { return make_pairs<Kernel>(make_box_cloud(points_a_face)); }
 

@@ -8,8 +8,7 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
-#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
-#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>

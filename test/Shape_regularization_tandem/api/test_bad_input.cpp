@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(test_smallest_angle)
     for(int i = 0; i < 2000; ++i)
       add(cloud, random.uniform() * u + random.uniform() * v, n);
     Parameters given = make_parameters(run % 2 ? .02 : .2, 0);
-    given.maximum_angle = CGAL::Tandem::smallest_angle_deg;
+    given.maximum_angle = CGAL::Tandem::internal::smallest_angle_deg;
     const Shapes shapes = detect_valid("smallest angle", cloud, given);
     CHECK_AT(shapes.number_of_shapes() == 1 && shapes.statistics().coverage == 1, std::to_string(run));
   }
@@ -175,8 +175,8 @@ BOOST_AUTO_TEST_CASE(test_extent)
       cloud[i].first = place;
   };
   move_tenth({2e6, 0, 0});
-  check_throws<std::range_error>([&] { detect(cloud, given); },
-                                 {"maximum_distance", "0.006", "extent", "2e+06", "2^24"}, __LINE__);
+  check_throws<CGAL::Tandem::Parameter_error>([&] { detect(cloud, given); },
+                                              {"maximum_distance", "0.006", "extent", "2e+06", "2^24"}, __LINE__);
   move_tenth({-1.7e308, 0, 1.7e308});
   check_throws<std::range_error>([&] { detect(cloud, Parameters(), Given::nothing); },
                                  {"extent", "1.7e+308", "2^24 times the largest maximum_distance"}, __LINE__);

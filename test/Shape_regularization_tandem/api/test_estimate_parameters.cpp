@@ -8,8 +8,6 @@
 #include "api_support.h"
 #include "testing/tolerances.h"
 
-#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
-#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <functional>

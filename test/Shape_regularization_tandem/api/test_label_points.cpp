@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(test_settings_of_planes)
   Parameters p = of_corner;
   p.maximum_angle = .9;
   const std::string note = shapes_of(section, corner, p).statistics().angle_note;
-  CHECK_AT(!note.empty() && note == CGAL::Tandem::angle_note(p), note);
+  CHECK_AT(!note.empty() && note == CGAL::Tandem::internal::angle_note(p), note);
   p.maximum_distance = -1;
   CHECK_REFUSED(shapes_of({}, corner, p), "maximum_distance");
 }

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(test_points)
   refuse("too small", [=](Data& d) { d.parameters.minimum_region_size = least + 1; });
   refuse("oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
   refuse("too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
-  refuse("maximum_distance is 1e-20 while the extent", [](Data& d) { d.parameters.maximum_distance = 1e-20; });
+  refuse("maximum_distance is 1e-20, allowed is at least", [](Data& d) { d.parameters.maximum_distance = 1e-20; });
   for(const double wrong : {0., 1e-300, 1e300})
     refuse("maximum_distance", [=](Data& d) { d.parameters.maximum_distance = wrong; });
   refuse("fixed_directions[1]", [](Data& d) { d.parameters.fixed_directions[1] = {0, 0, 0}; });

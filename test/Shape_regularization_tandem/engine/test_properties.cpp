@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(test_random_cases)
     const Property_case c = Case_maker(seed).make();
     try {
       check_case(c, totals);
-    } catch(const std::range_error& e) {
+    } catch(const CGAL::Tandem::Parameter_error& e) {
       CHECK_AT(is_too_wide(c), c.name + ": " + e.what());
     } catch(const std::exception& e) {
       CHECK_AT(false, c.name + ": " + e.what());

@@ -7,7 +7,7 @@
 
 #include "testing/tolerances.h"
 
-#include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(test_bounds)
   for(const auto& [c, bound, low, high] :
       {std::make_tuple(&all, 1.0001 * largest, largest, largest), std::make_tuple(&all, 1e100, largest, largest),
        std::make_tuple(&all, .02, .02, .02), std::make_tuple(&some, 0., .03, .045)}) {
-    const std::string name = "bound " + CGAL::Tandem::to_text(bound);
+    const std::string name = "bound " + CGAL::Tandem::internal::to_text(bound);
     Parameters p = make_parameters(bound, least);
     p.maximum_offset = (std::min)(bound, largest);
     const Shapes shapes = c->detect(name, p);
@@ -176,7 +176,8 @@ BOOST_AUTO_TEST_CASE(test_points_without_tolerance)
             c.tolerance[i] = i % step == 0 ? other : scale * c.tolerance[i];
           }
           Parameters p = make_parameters(bound, least);
-          const std::string name = "tolerance " + CGAL::Tandem::to_text(other) + " at " + std::to_string(bound);
+          const std::string name =
+            "tolerance " + CGAL::Tandem::internal::to_text(other) + " at " + std::to_string(bound);
           const Shapes shapes = c.detect(name, p);
           const std::size_t without = (c.cloud.size() + step - 1) / step;
           CHECK_AT(step == 1 ? shapes.number_of_shapes() == 0 : shapes.number_of_shapes() > 3, name);

@@ -193,7 +193,7 @@ void test_extent(const Ranks& ranks, int)
   Dealt_case c = make_case();
   c.cloud.insert(c.cloud.end(), c.cloud.size() / 10, {Kernel::Point_3(1e9, 0, 0), Kernel::Vector_3(0, 0, 1)});
   check_failure(ranks, failure_of([&] { detect_with(ranks, c.part(ranks), np::maximum_distance(.01)); }),
-                {"range_error"}, "extent");
+                {"Parameter_error"}, "extent");
 }
 
 Shapes detect_alone(const Cloud& cloud, const Callback& callback)

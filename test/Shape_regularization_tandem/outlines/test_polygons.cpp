@@ -150,7 +150,7 @@ BOOST_DATA_TEST_CASE(random_points, boost::unit_test::data::xrange(60), run)
 // What it is to find the borders of walls of 1 x 1 that stand on one floor, in rows, each in one plane.
 double work(std::size_t walls)
 {
-  CGAL::Tandem::Shapes_data data;
+  CGAL::Tandem::internal::Shapes_data data;
   data.parameters.maximum_distance = .01;
   data.coefficients = {{0, 0, 1, 0}};
   data.parallel_group = data.coplanar_group = {0};

@@ -178,7 +178,7 @@ test_bad_usage = cases([
 
 
 def test_values_that_do_not_fit(p):
-    p(1, ": --maximum-distance is 1e-09 while the extent", "cube.ply --maximum-distance 1e-9")
+    p(1, ": --maximum-distance is 1e-09, must be at least .*: the extent of the points", "cube.ply --maximum-distance 1e-9")
     if "cuda; all" in HELP:  # but no device
         p(1, "CUDA", "cube.ply --backend cuda", CUDA_VISIBLE_DEVICES="")
     else:

@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(random_scenes)
     const Property_case c = Case_maker(seed).make();
     try {
       check_outputs(case_of(c.name, c.cloud, detect(c.cloud, c.parameters, c.given)), t);
-    } catch(const std::range_error&) {
+    } catch(const CGAL::Tandem::Parameter_error&) {
     } // too wide: test_properties
   }
   CHECK(count == 1 || (t.polygons > 0 && double(t.inside) > .8 * double(t.points)));

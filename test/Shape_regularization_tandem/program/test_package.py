@@ -20,8 +20,8 @@ CMAKE = ["cmake", f"-DCMAKE_CXX_COMPILER={FACTS['CXX'] or 'c++'}", f"-DTANDEM_WI
 VERSION = re.search(r'define CGAL_TANDEM_VERSION[^"]*"([0-9]+\.[0-9]+)',
                     (SOURCES / "include/CGAL/Shape_regularization_tandem/version.h").read_text()).group(1)
 USER = r"""
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Shape_regularization_tandem.h>
+#include <CGAL/Simple_cartesian.h>
 int main()
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -38,7 +38,7 @@ int main()
 }
 """
 FEW_HEADERS = """
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 int main() { return int(CGAL::Tandem::Parameters().minimum_region_size); }
 """
 

@@ -9,7 +9,7 @@
 #include "messages.h"
 #include "output/Output_file.h"
 #include "program_options.h"
-#include "ranks/Ranks.h"
+#include "ranks/Processes.h"
 #include "view/write_points.h"
 #include "warnings.h"
 
@@ -130,15 +130,15 @@ BOOST_AUTO_TEST_CASE(shares_of_files)
   for(std::uint64_t i = 0; i < 100; ++i)
     bytes.push_back(1 + i * 7919 % 1000 * (i % 11 == 0 ? 1000 : 1));
   const double sum = double(std::accumulate(bytes.begin(), bytes.end(), std::uint64_t(0)));
-  for(int ranks = 1; ranks < 120; ranks += 7) {
-    const std::vector<int> rank_of = program::share_files(bytes, ranks);
+  for(int processes = 1; processes < 120; processes += 7) {
+    const std::vector<int> rank_of = program::share_files(bytes, processes);
     CHECK(std::is_sorted(rank_of.begin(), rank_of.end()));
-    std::vector<double> load(std::size_t(ranks), 0);
+    std::vector<double> load(std::size_t(processes), 0);
     for(std::size_t file = 0; file < bytes.size(); ++file)
       load.at(std::size_t(rank_of.at(file))) += double(bytes[file]);
     for(double share : load)
-      CHECK_AT(std::fabs(share - sum / ranks) <= double(*std::max_element(bytes.begin(), bytes.end())) + 100,
-               std::to_string(ranks));
+      CHECK_AT(std::fabs(share - sum / processes) <= double(*std::max_element(bytes.begin(), bytes.end())) + 100,
+               std::to_string(processes));
   }
 }
 

@@ -120,7 +120,7 @@ def test_corridor(p):
     """Noise grows with the square of the range; its shapes are its walls and its end."""
     p.write({"corridor.xyz": text_of(corridor(1))})
     p(0, "shapes +5 in 5 planes of 3 directions", "corridor.xyz --noise '0.0028*r^2' --viewpoint 1,2,3")
-    p(0, "estimate +The noise varies from .*: each point has a tolerance of its own .*by auto-local.*shapes +5 in 5 planes",
+    p(0, "estimate +The noise varies from .*\\. Each point has a tolerance of its own.*by auto-local.*shapes +5 in 5 planes",
       "corridor.xyz --report t.json")
     assert '"note": "The noise varies' in p.read("t.json")
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
 
-#include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 
 // change(std::vector<T>&): results share the table, so it is changed in a copy.
 template <class T, class Change>
-void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
+void change_table(CGAL::Tandem::internal::Shared_table<T>& table, Change change)
 {
   std::vector<T> values(table.begin(), table.end());
   change(values);
@@ -29,7 +29,7 @@ void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
 // Numbers all corruptions, and makes one of them: that of the number `target`.
 class Corruption {
 public:
-  using Data = CGAL::Tandem::Shapes_data;
+  using Data = CGAL::Tandem::internal::Shapes_data;
 
   Corruption(Data& data, std::size_t target) : target_(target)
   {
@@ -130,7 +130,7 @@ private:
   }
 
   template <class T>
-  void visit(const std::string& field, CGAL::Tandem::Shared_table<T>& table)
+  void visit(const std::string& field, CGAL::Tandem::internal::Shared_table<T>& table)
   {
     const bool was_made = is_made();
     std::vector<T> values(table.begin(), table.end());

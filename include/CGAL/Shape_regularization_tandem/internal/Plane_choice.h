@@ -6,8 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_PLANE_CHOICE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_PLANE_CHOICE_H
 
-#include <CGAL/Tandem/Coefficients.h>
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 

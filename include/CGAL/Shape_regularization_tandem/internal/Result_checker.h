@@ -8,15 +8,15 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Tandem/Shapes_data.h>
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
-#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <algorithm>
 #include <array>

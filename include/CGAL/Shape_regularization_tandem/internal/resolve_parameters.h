@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H
 
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/number_utils.h>
 

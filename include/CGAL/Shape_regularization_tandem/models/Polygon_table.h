@@ -6,8 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 
-#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
-#include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -16,6 +15,28 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief A polygon with holes in a plane, whose corners are positions in a table of points. The order of corners is
+that seen from the side to which the normal of `Planar_shapes_3::plane()` points, whatever the normals of the points are.
+*/
+struct Indexed_polygon {
+  /// the corners of a closed line, the first one once
+  using Loop = std::vector<std::uint32_t>;
+
+  /// counterclockwise
+  Loop outer;
+  /// clockwise
+  std::vector<Loop> holes;
+  /// a constrained Delaunay triangulation, without further vertices: counterclockwise
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+} // namespace CGAL::Tandem
 
 namespace CGAL::Tandem::internal::outlines {
 

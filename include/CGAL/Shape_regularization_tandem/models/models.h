@@ -8,9 +8,9 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
-#include <CGAL/Tandem/Shape_facts.h>
-#include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Shape_regularization_tandem/models/Shape_facts.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <cstddef>
 #include <vector>

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_PLANE_COVERAGE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_PLANE_COVERAGE_H
 
-#include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

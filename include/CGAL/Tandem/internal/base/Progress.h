@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/detection_stage.h>
 
 #include <algorithm>
 #include <utility>

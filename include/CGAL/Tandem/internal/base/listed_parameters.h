@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 #define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 
-#include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>

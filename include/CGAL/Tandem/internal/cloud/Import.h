@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CHOOSE_GRID_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CHOOSE_GRID_H
 
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
@@ -55,8 +55,9 @@ inline Grid make_grid(const Coordinate_box& box, double epsilon)
       return grid;
     }
   }
-  throw std::range_error("maximum_distance is " + to_text(epsilon) + " while the extent of the points is " +
-                         to_text(box.extent()) + ": allowed is an extent of up to 2^24 times maximum_distance");
+  throw_out_of_range("maximum_distance", epsilon,
+                     "at least " + to_text(std::ldexp(box.extent(), -24)) + ": the extent of the points, " +
+                       to_text(box.extent()) + ", divided by 2^24");
 }
 
 // v rounded to the nearest integer, |v| < 2^31. Next to 1.5 * 2^52 doubles are integers, so the addition rounds. It

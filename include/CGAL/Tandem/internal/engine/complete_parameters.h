@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 
-#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
@@ -74,8 +74,7 @@ inline Distance_estimate describe_compromise(const Cloud_measure& m)
             " of the surfaces have a second one close to them, and the estimate keeps the two apart: "
             "if they are one, as in scans that do not match, give a larger maximum_distance."};
   if(has_noise(m) && m.varies)
-    return {"The noise varies from " + to_text(m.low_noise) + " to " + to_text(m.high_noise) +
-              " over the cloud: a tolerance for each point fits better than the one that was estimated.",
+    return {"The noise varies from " + to_text(m.low_noise) + " to " + to_text(m.high_noise) + " over the cloud.",
             true};
   return {};
 }
@@ -124,10 +123,11 @@ Distance_estimate complete_parameters(Backend& backend, const Import& in, bool h
 template <class Backend>
 std::string set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p)
 {
-  std::string note = complete_parameters(backend, in, has_offset, p).note;
+  const Distance_estimate estimate = complete_parameters(backend, in, has_offset, p);
   drop_far_points(Ranks<Backend>(backend), in, p.maximum_distance);
   choose_grid(in, p);
-  return note;
+  return estimate.note +
+         (estimate.noise_varies ? " estimate_local_distances() gives each point a tolerance of its own." : "");
 }
 
 } // namespace CGAL::Tandem::internal

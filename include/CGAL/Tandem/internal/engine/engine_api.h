@@ -8,12 +8,12 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 
 #include <CGAL/Tandem/Plane_relations.h>
-#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <cstdint>
 #include <memory>

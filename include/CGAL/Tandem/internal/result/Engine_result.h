@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H
 #define CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H
 
-#include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
 #include <cstdint>

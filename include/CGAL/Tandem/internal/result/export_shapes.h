@@ -7,11 +7,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_RESULT_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_RESULT_EXPORT_SHAPES_H
 
-#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 #define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 
-#include <CGAL/Tandem/Parameter_error.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TANDEM_SHAPE_FACTS_H
-#define CGAL_TANDEM_SHAPE_FACTS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SHAPE_FACTS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SHAPE_FACTS_H
 
 #include <array>
 #include <cstddef>
@@ -56,4 +56,4 @@ struct Shape_facts {
 
 } // namespace CGAL::Tandem
 
-#endif // CGAL_TANDEM_SHAPE_FACTS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SHAPE_FACTS_H

@@ -44,7 +44,7 @@ inline Launch find_launch()
 
 // The rank of each file: consecutive files, with about as many bytes on each rank; the middle of a file decides. So the
 // points have the order of the files, as in one process.
-inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int ranks)
+inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int processes)
 {
   const double files = double(bytes.size()); // each counts, so that files that are not there are spread, too
   const double total = std::accumulate(bytes.begin(), bytes.end(), files);
@@ -52,7 +52,7 @@ inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int
   double before = 0;
   for(const std::uint64_t n : bytes) {
     const double size = double(n) + 1;
-    rank_of.push_back(int((before + size / 2) * ranks / total));
+    rank_of.push_back(int((before + size / 2) * processes / total));
     before += size;
   }
   return rank_of;
@@ -63,11 +63,11 @@ inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int
 // The notes of an input, with its place among the inputs.
 using Placed_notes = std::pair<std::size_t, Input_notes>;
 
-// The processes of a run, each with some of the inputs. This one is alone; make_ranks() gives those that mpirun has
+// The processes of a run, each with some of the inputs. This one is alone; make_processes() gives those that mpirun has
 // started. All ranks call the same members in the same order.
-class Ranks {
+class Processes {
 public:
-  virtual ~Ranks() = default;
+  virtual ~Processes() = default;
 
   virtual int rank() const { return 0; }
   virtual int size() const { return 1; }
@@ -115,15 +115,15 @@ public:
 };
 
 // The processes that mpirun has started. An exception where they cannot work together.
-std::unique_ptr<Ranks> make_mpi_ranks(int& argc, char**& argv, const Launch& launch);
+std::unique_ptr<Processes> make_mpi_processes(int& argc, char**& argv, const Launch& launch);
 
-inline std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv)
+inline std::unique_ptr<Processes> make_processes(int& argc, char**& argv)
 {
   const Launch launch = find_launch();
   if(launch.size == 1)
-    return std::make_unique<Ranks>();
+    return std::make_unique<Processes>();
   if constexpr(has_mpi)
-    return make_mpi_ranks(argc, argv, launch);
+    return make_mpi_processes(argc, argv, launch);
   throw_error(launch.size, " processes were started (", launch.variable,
               "), but this program was built without MPI; install MPI and Boost.MPI (Debian: libopenmpi-dev "
               "libboost-mpi-dev) and build again");

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TANDEM_SHARED_TABLE_H
-#define CGAL_TANDEM_SHARED_TABLE_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_SHARED_TABLE_H
+#define CGAL_TANDEM_INTERNAL_RESULT_SHARED_TABLE_H
 
 #include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
-namespace CGAL::Tandem {
+namespace CGAL::Tandem::internal {
 
 // A table that does not change any more. Copies share the items, so a result is copied in constant time.
 template <class T>
@@ -42,6 +42,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace CGAL::Tandem
+} // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_SHARED_TABLE_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_SHARED_TABLE_H

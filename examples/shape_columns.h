@@ -3,17 +3,20 @@
 //
 // The columns of tables of shapes, so that those of the program and of the Python module have the same names.
 
-#ifndef CGAL_TANDEM_SHAPE_COLUMNS_H
-#define CGAL_TANDEM_SHAPE_COLUMNS_H
+#ifndef TANDEM_EXAMPLES_SHAPE_COLUMNS_H
+#define TANDEM_EXAMPLES_SHAPE_COLUMNS_H
 
-#include <CGAL/Tandem/Plane_uncertainty.h>
-#include <CGAL/Tandem/Shape_facts.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
+#include <CGAL/Tandem/Statistics.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
-namespace CGAL::Tandem {
+namespace tandem_examples {
+
+using CGAL::Tandem::Plane_uncertainty;
+using CGAL::Tandem::Shape_facts;
 
 template <class Row>
 struct Shape_column {
@@ -56,6 +59,6 @@ void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>&
   f("coplanar_group", [&](std::size_t s) { return shapes.coplanar_group(s); });
 }
 
-} // namespace CGAL::Tandem
+} // namespace tandem_examples
 
-#endif // CGAL_TANDEM_SHAPE_COLUMNS_H
+#endif // TANDEM_EXAMPLES_SHAPE_COLUMNS_H

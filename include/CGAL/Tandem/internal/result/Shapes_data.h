@@ -3,21 +3,22 @@
 //
 // The result of a detection as the caller gets it: by items of the range, with groups of shapes and statistics.
 
-#ifndef CGAL_TANDEM_SHAPES_DATA_H
-#define CGAL_TANDEM_SHAPES_DATA_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_SHAPES_DATA_H
+#define CGAL_TANDEM_INTERNAL_RESULT_SHAPES_DATA_H
 
-#include <CGAL/Tandem/Coefficients.h>
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/Plane_uncertainty.h>
-#include <CGAL/Tandem/Shared_table.h>
 #include <CGAL/Tandem/Statistics.h>
+#include <CGAL/Tandem/internal/result/Shared_table.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Tandem {
+namespace CGAL::Tandem::internal {
+
+using Position = std::array<double, 3>; // the coordinates of a point
 
 // The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1]. So
 // `first` has one entry more than there are shapes.
@@ -58,6 +59,6 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-} // namespace CGAL::Tandem
+} // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_SHAPES_DATA_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_SHAPES_DATA_H
