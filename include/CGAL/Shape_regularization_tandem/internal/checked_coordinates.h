@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_CHECKED_COORDINATES_H
 
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
-#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <CGAL/number_utils.h>

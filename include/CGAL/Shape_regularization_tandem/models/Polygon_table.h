@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 
-#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
