@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(test_known_scenes)
 }
 
 // Nothing planar: no plane is made up. (Estimated
-// normals of a volume whose spacing, here .04, is that of a slab of two epsilons do make planes.)
+// normals of a volume whose spacing, here .04, is that of a layer of two epsilons do make planes.)
 BOOST_AUTO_TEST_CASE(test_without_planes)
 {
   const Cloud noise = to_cloud(scenes::make_scene("noise", scene_options(15000)));

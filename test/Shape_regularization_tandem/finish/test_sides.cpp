@@ -79,7 +79,7 @@ public:
     };
     for(std::uint32_t q : around(i))
       add(q);
-    const tuning::Ratio share = tuning::sides::clear_share;
+    const tuning::Ratio share = tuning::sides::clear_ratio;
     return double(share.denominator) * std::fabs(sum) > double(share.numerator) * size ? sum : 0;
   }
 

@@ -116,7 +116,7 @@ private:
   void make_family()
   {
     using Maker = Case_maker;
-    void (Maker::*const families[])() = {&Maker::make_slabs,   &Maker::make_slabs,      &Maker::make_lattice,
+    void (Maker::*const families[])() = {&Maker::make_layers,  &Maker::make_layers,     &Maker::make_lattice,
                                          &Maker::make_lattice, &Maker::make_box,        &Maker::make_box,
                                          &Maker::make_patches, &Maker::make_few_places, &Maker::make_degenerate,
                                          &Maker::make_fan,     &Maker::make_surface};
@@ -124,9 +124,9 @@ private:
   }
 
   // Parallel layers, .3 to 3 epsilon apart, some of them slanted.
-  void make_slabs()
+  void make_layers()
   {
-    name_ += ": slabs";
+    name_ += ": layers";
     const int layers = 2 + below(4), points = 30 + below(250);
     const double gap = epsilon_ * between(.3, 3), width = log_between(.3, 3), slant = happens(.5) ? 0 : between(0, 4);
     for(int i = 0; i < layers; ++i) {

@@ -62,7 +62,7 @@ void drop_far_points(const Ranks& ranks, Import& in, double epsilon)
   std::size_t far = 0;
   for(std::size_t i = 0; i < in.size(); ++i)
     far += !is_near(i);
-  if(tuning::grid::far_share.is_exceeded(std::int64_t(ranks.total(far)), std::int64_t(in.total.points)))
+  if(tuning::grid::far_ratio.is_exceeded(std::int64_t(ranks.total(far)), std::int64_t(in.total.points)))
     return;
   in.keep_if(is_near);
   in.number_of_far_points += far;

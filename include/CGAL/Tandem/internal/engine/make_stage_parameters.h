@@ -63,13 +63,13 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
   o.maximum_distance = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
-  o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_share.of(o.minimum_region_size));
+  o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_ratio.of(o.minimum_region_size));
   o.minimum_fragment_size =
     (std::min)(o.minimum_region_size,
-               (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size)));
+               (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_ratio.of(o.minimum_region_size)));
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
-  o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
-                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
+  o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_ratio,
+                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_ratio));
   o.score = Score(p);
   o.regularity = make_regularity_options(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);

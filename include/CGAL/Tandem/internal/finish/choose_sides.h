@@ -32,7 +32,7 @@ struct Side {
   // Where a shape goes on beyond the plane, neither side is its own.
   CGAL_TANDEM_HD bool is_clear() const
   {
-    constexpr tuning::Ratio share = tuning::sides::clear_share;
+    constexpr tuning::Ratio share = tuning::sides::clear_ratio;
     return (sum < 0 ? -sum : sum) * share.denominator > size * share.numerator;
   }
 

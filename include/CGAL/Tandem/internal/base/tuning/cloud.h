@@ -26,7 +26,7 @@ constexpr int fine_extent_bits = 18;
 constexpr int largest_extent_bits = 24;
 // Where the extent is beyond that, points far from the others are left out if they are at most this share, about what
 // does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be lost.
-constexpr Ratio far_share = {5, 100};
+constexpr Ratio far_ratio = {5, 100};
 // Octaves below epsilon in which tolerances of points have a finer grid and smaller surfels. More: a coarser grid of
 // clouds of large extent; sums of distances need more bits.
 constexpr int maximum_octaves = 6;
@@ -75,7 +75,7 @@ constexpr double distance_per_largest_noise = 3.8;
 // Less noise than this share of the spacing is that of rounding, which says nothing of epsilon.
 constexpr double least_noise_per_spacing = .01;
 // Nor does that of clouds of which this share of the surfaces bends.
-constexpr double bent_share = .5;
+constexpr double bent_ratio = .5;
 // epsilon is at least this power of two of the extent, so that the grid can hold the cloud.
 constexpr int minimum_distance_bits = -22;
 // epsilon in units of the largest coordinate where all points are equal, and, for planes that were found elsewhere and
@@ -129,7 +129,7 @@ constexpr int mixed_patches = 4;
 // were right 16 times of 27 with 1, 25 times with 1.2).
 constexpr double local_margin = 1.2;
 // But for that, no tolerance of a point is larger or smaller than that of the cloud by more than this factor.
-constexpr double largest_local_ratio = 8;
+constexpr double largest_local_factor = 8;
 
 // The noise varies where, of patches with the same residual over several radii, the high quantile of the smoothed noise
 // is more than this multiple of the low one: 6.5 to 21 times before depth cameras where one tolerance fails, 4.8 at most
@@ -142,7 +142,7 @@ constexpr double low_noise_quantile = .02;
 constexpr double same_noise = 1.2;
 constexpr Ratio differ_in_place = {22, 100};
 // Shares of patches, or of points, above which the estimate is said to be a compromise.
-constexpr double compromise_share = .25;
+constexpr double compromise_ratio = .25;
 
 // Points that are looked at in a large cloud, and points of a sampled cell. More: slower, hardly more precise.
 constexpr std::size_t sampled_points = std::size_t(1) << 17;

@@ -19,10 +19,10 @@ namespace growth {
 
 // The tighter bounds by which equally planar seeds are ordered, as shares of epsilon and alpha. Larger: seeds near
 // edges and steps, where a plane bridges two surfaces.
-constexpr double tight_distance_share = 1. / 4;
-constexpr double tight_angle_share = 1. / 2;
+constexpr double tight_distance_ratio = 1. / 4;
+constexpr double tight_angle_ratio = 1. / 2;
 // Neighbors that have to fit the plane of a seed.
-constexpr Ratio seed_share = {1, 2};
+constexpr Ratio seed_ratio = {1, 2};
 // Shapes that may grow in a cell for a new one to begin, in the first rounds and later. The paper has one. More: fewer
 // rounds at the same quality; many more in the first rounds: shapes do not meet the faces they belong to.
 constexpr int young_seeds_in_flight = 8;
@@ -58,10 +58,10 @@ constexpr std::size_t cells_per_untried_cell = 64;
 constexpr std::uint32_t points_per_untried_point = 4;
 // Sizes in shares of the minimum region size. Shapes below the share, or below the number of points, are
 // dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces are lost before they meet.
-constexpr Ratio fragment_share = {3, 20};
+constexpr Ratio fragment_ratio = {3, 20};
 constexpr std::int64_t minimum_fragment_size = 6;
 // Smaller shapes get no relations in the loop: while they are young they tilt more than what they would be related to.
-constexpr Ratio related_share = {7, 20};
+constexpr Ratio related_ratio = {7, 20};
 
 } // namespace loop
 
