@@ -5,7 +5,7 @@
 // polygons(). For a cloud, or for the house of the generated scenes, whose areas are known.
 //   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE [FOLDER]
 // For the shapes with most points FOLDER gets I.points and I.outline, in the plane of the shape, for gnuplot.
-//   outline_figures house [POINTS [NOISE, a share of the diagonal]]
+//   outline_figures house [POINTS [NOISE, a fraction of the diagonal]]
 
 #include "clouds/outline_cloud.h"
 #include "criteria/contour_regularization.h"

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(test_rule)
 {
   // Uniform on a triangle-shaped distribution of +-noise: sigma = noise / sqrt(6).
   check_near(distance_of(make_points(10000, .04f)), 3 * .04 / std::sqrt(6.), .25, "of noise");
-  // Without noise it is a share of the spacing that grows with the number of points.
+  // Without noise it is a fraction of the spacing that grows with the number of points.
   for(int n : {1500, 6000})
     check_near(distance_of(make_points(n, 0)), .017 * std::pow(6.6 * n, 5. / 16) * std::sqrt(.63 / n), .3,
                "of spacing");

@@ -139,7 +139,7 @@ struct Wall {
   const char* name;
   std::size_t sides;
   double gap, noise;
-  double turned; // share of wrong normals
+  double turned; // ratio of wrong normals
   double epsilon, coverage;
   std::size_t points = 2000; // of a side
 };

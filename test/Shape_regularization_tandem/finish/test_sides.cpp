@@ -64,7 +64,7 @@ public:
   }
 
   // The mean of the distances to plane t, with their signs and at most epsilon, of the points of shape s around i; 0 if
-  // it is at most a share of the mean of the absolute values.
+  // it is at most a ratio of the mean of the absolute values.
   double mean_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
     const double epsilon = double(f_.tolerance_of(i).distance);
@@ -79,8 +79,8 @@ public:
     };
     for(std::uint32_t q : around(i))
       add(q);
-    const tuning::Ratio share = tuning::sides::clear_ratio;
-    return double(share.denominator) * std::fabs(sum) > double(share.numerator) * size ? sum : 0;
+    const tuning::Ratio ratio = tuning::sides::clear_ratio;
+    return double(ratio.denominator) * std::fabs(sum) > double(ratio.numerator) * size ? sum : 0;
   }
 
   bool is_aligned_naively(std::uint32_t s, std::uint32_t t) const

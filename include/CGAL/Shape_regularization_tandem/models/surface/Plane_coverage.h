@@ -183,7 +183,7 @@ public:
   bool is_near_hull(const Point& p, double distance) const { return !separates(hull_, {flat(p)}, distance); }
 
   bool is_assumed(const Point& p) const { return is_assumed(flat(p)); }
-  double area_of_point(std::size_t i) const { return areas_[i]; } // its share of the covered area
+  double area_of_point(std::size_t i) const { return areas_[i]; } // its part of the covered area
 
   // Where a ray meets the plane.
   enum class Crossing { none, covered, assumed };
@@ -241,9 +241,9 @@ public:
       planes_.push_back(&plane);
   }
 
-  // Of rays from these places of one of the planes, the share that says that the front is outside and what is behind
-  // inside, less the share that says the opposite.
-  double share(const std::vector<Point>& places, const Vector& to_front, const Plane_coverage& plane) const
+  // Of rays from these places of one of the planes, the ratio that says that the front is outside and what is behind
+  // inside, less the ratio that says the opposite.
+  double ratio(const std::vector<Point>& places, const Vector& to_front, const Plane_coverage& plane) const
   {
     constexpr std::size_t step = 97; // odd, so that all directions occur, and in no order
     if(places.empty())

@@ -5,7 +5,7 @@
 // consecutive cells of the sorted cloud. Rows of neighbors also refer to points of other ranks: the ghosts, which follow
 // the own points in tables of points. The table of shapes is the same on all ranks. So after a pass over the points,
 // its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each rank makes
-// a share of the tests and fits.
+// its own items of the tests and fits.
 //
 // Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same operations for many.
 

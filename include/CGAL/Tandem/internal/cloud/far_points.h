@@ -15,10 +15,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// The value that a share of the values of all ranks is below: byte by byte, from counts, which do not depend on the order
-// of the values. There has to be one.
+// The value that a ratio of the values of all ranks is below: byte by byte, from counts, which do not depend on the
+// order of the values. There has to be one.
 template <class Ranks, class F>
-double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Ratio& share)
+double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Ratio& ratio)
 {
   std::uint64_t rank = 0, found = 0;
   for(int bits = 56; bits >= 0; bits -= 8) {
@@ -32,7 +32,7 @@ double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning:
     if(bits == 56) {
       for(const std::uint64_t c : count)
         rank += c;
-      rank = std::uint64_t(share.of(std::int64_t(rank)));
+      rank = std::uint64_t(ratio.of(std::int64_t(rank)));
     }
     std::uint64_t digit = 0;
     for(; digit < 255 && rank >= count[digit]; ++digit)

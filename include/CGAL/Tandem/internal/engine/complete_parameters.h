@@ -59,7 +59,7 @@ inline double estimate_maximum_distance(const Import& in, const Cloud_measure& m
 inline Distance_estimate describe_compromise(const Cloud_measure& m)
 {
   using namespace tuning::estimation;
-  const auto percent = [](double share) { return to_text(std::lround(100 * share)) + " %"; };
+  const auto percent = [](double ratio) { return to_text(std::lround(100 * ratio)) + " %"; };
   if(m.places < minimum_places)
     return {};
   if(m.patch.empty())

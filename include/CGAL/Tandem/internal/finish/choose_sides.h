@@ -32,8 +32,8 @@ struct Side {
   // Where a shape goes on beyond the plane, neither side is its own.
   CGAL_TANDEM_HD bool is_clear() const
   {
-    constexpr tuning::Ratio share = tuning::sides::clear_ratio;
-    return (sum < 0 ? -sum : sum) * share.denominator > size * share.numerator;
+    constexpr tuning::Ratio ratio = tuning::sides::clear_ratio;
+    return (sum < 0 ? -sum : sum) * ratio.denominator > size * ratio.numerator;
   }
 
   // How far a point at the signed distance e is on this side.

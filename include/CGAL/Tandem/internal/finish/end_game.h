@@ -166,7 +166,7 @@ template <class Backend>
 Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                          Progress& progress)
 {
-  const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
+  const auto show = [&](double fraction) { progress.show(Detection_stage::end_game, fraction); };
   Assignment<Backend> assign(points);
   raise_score(points, shapes, options, assign);
   show(.5);

@@ -202,8 +202,8 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   return ids;
 }
 
-// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a share of its points.
-// Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
+// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a ratio of its
+// points. Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
 template <class Backend>
 struct Find_untried_cells {
   Surfels_view surfels;
@@ -219,14 +219,14 @@ struct Find_untried_cells {
   {
     const std::uint32_t first = cells[c].first + seeds.cursor[c];
     const std::uint32_t points = surfels.points(cells[c].last - 1).last - surfels.points(cells[c].first).first;
-    const std::uint32_t share = points / tuning::loop::points_per_untried_point + 1;
+    const std::uint32_t many = points / tuning::loop::points_per_untried_point + 1;
     block.single([&] { untried = 0; });
     block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
       if(is_untried(label, state, seeds.seed[first + at]))
         block.add(untried, surfels.points(seeds.seed[first + at]).size());
     });
     block.single([&] {
-      if(untried >= (share < smallest_shape ? share : smallest_shape))
+      if(untried >= (many < smallest_shape ? many : smallest_shape))
         Backend::atomic_add(*found, 1u);
     });
   }

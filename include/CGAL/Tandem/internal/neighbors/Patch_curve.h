@@ -25,7 +25,7 @@ namespace CGAL::Tandem::internal {
 struct Local_plane {
   int places = 0;       // of neighbors, and of the point itself
   double residual = 0;  // root mean square distance to the plane, for the degrees of freedom
-  double thickness = 0; // share of the half-width
+  double thickness = 0; // as a fraction of the half-width
   double radius = 0;    // distance of the farthest neighbor
   Vector normal = {0, 0, 0};
 };

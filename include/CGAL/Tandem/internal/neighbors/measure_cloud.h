@@ -39,8 +39,8 @@ struct Cloud_measure {
   double low_noise = 0;     // from there
   double high_noise = 0;    // to there: over neighboring patches with the same residual over several radii
   bool varies = false;      // whether that is much, and neighboring ones have the same
-  double exact = 0;         // share of the smallest neighborhoods that lie on a plane, while larger ones do not
-  double sheets = 0;        // shares of the patches: with another surface next to them, and
+  double exact = 0;         // ratio of the smallest neighborhoods that lie on a plane, while larger ones do not
+  double sheets = 0;        // ratios of the patches: with another surface next to them, and
   double bends = 0;         // of surfaces that bend
   std::vector<Patch_noise> patch;
 };
@@ -235,10 +235,10 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
   m.places = noise.empty() ? 1 : quantile(places_per_point, .5);
   m.noise = quantile(noise, noise_quantile);
   m.largest_noise = quantile(noise, .9);
-  const auto share = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
-  m.exact = share(exact, measured);
-  m.sheets = share(sheets, noise.size());
-  m.bends = share(bends, noise.size());
+  const auto ratio = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
+  m.exact = ratio(exact, measured);
+  m.sheets = ratio(sheets, noise.size());
+  m.bends = ratio(bends, noise.size());
   return m;
 }
 

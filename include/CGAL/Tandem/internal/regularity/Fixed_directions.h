@@ -238,7 +238,7 @@ inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
   return sum_of_ratios > 0 ? d0 * d0 / sum_of_ratios : (d0 == 0 ? 0 : 1e300);
 }
 
-// The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.
+// The square of the unused part of what a right angle may cost, in [0, 1]. 0: it costs too much.
 inline double score_of_cost(double cost, double allowed)
 {
   const double left = cost <= 0 ? 1 : cost < allowed ? 1 - cost / allowed : 0;

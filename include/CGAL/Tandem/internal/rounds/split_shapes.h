@@ -205,7 +205,7 @@ struct May_split {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && gain.may_split(shape[id]); }
 };
 
-// The trials of a shape follow each other. A rank makes its share of them. By groups of lanes.
+// The trials of a shape follow each other. A rank makes its own items. By groups of lanes.
 struct Try_splits {
   const Shape* shape;
   const std::uint32_t* id; // of the candidates

@@ -105,8 +105,8 @@ private:
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
-    constexpr tuning::Ratio share = tuning::growth::seed_ratio;
-    if(score.all == 0 || !share.is_reached(score.fitting, score.all))
+    constexpr tuning::Ratio ratio = tuning::growth::seed_ratio;
+    if(score.all == 0 || !ratio.is_reached(score.fitting, score.all))
       return not_a_seed;
     const Grid_point& p = cloud.point[i];
     const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;

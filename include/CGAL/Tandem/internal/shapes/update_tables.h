@@ -15,10 +15,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes a share of them, and gets
-// the others. Changes nothing but these fits.
+// --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes its own items, and
+// gets the others. Changes nothing but these fits.
 
-// The own share of the fits, and the scatter of all moments, which costs less than to send it.
+// The fits of the own items, and the scatter of all moments, which costs less than to send it.
 template <class Fits>
 struct Make_fit {
   Fits fits;
@@ -64,7 +64,7 @@ struct Put_fit {
   }
 };
 
-// After the own share has been made: the fits of all ranks.
+// After the own items have been made: the fits of all ranks.
 template <class Backend, class Fits>
 void spread_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
 {

@@ -24,7 +24,7 @@ constexpr float good_error2 = 0.00274f;
 constexpr float excellent_error2 = 0.000305f;
 // Independent points that a neighborhood is worth more each time it has grown, in units of its first ones (measured).
 constexpr Ratio independent_growth = {6, 5};
-// Thinner than this share of epsilon is as good as flat.
+// Thinner than this fraction of epsilon is as good as flat.
 constexpr float noiseless_ratio = 0.02f;
 // Squared grid steps: no less than the variance of rounding to the grid, which is added to that of what is flat.
 constexpr float rounding_variance = 0.25f;
@@ -37,7 +37,7 @@ constexpr int minimum_rough_neighbors = 3;
 // The weight of being thick, whatever the number of points, against the error from noise, which their number makes
 // small. Smaller: a large neighborhood across an edge counts as precise.
 constexpr float thickness_weight = 0.04f;
-// Closer to the plane than this share of epsilon is no clutter.
+// Closer to the plane than this fraction of epsilon is no clutter.
 constexpr float clutter_ratio = 0.5f;
 // Passes in which planes propagate: a surfel near an edge takes the plane of a neighbor whose cost is at most this part
 // of its own.
@@ -58,7 +58,7 @@ constexpr double last_variance_step = 2e-3;
 // Points near edges, where normals are estimated.
 namespace sides {
 
-// A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this share of
+// A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this ratio of
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
 // beyond it is near none. Larger: fewer points change sides under noise.
 constexpr Ratio clear_ratio = {1, 2};

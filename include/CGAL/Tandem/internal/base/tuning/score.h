@@ -39,7 +39,7 @@ constexpr int rounds = 2;
 constexpr std::uint32_t assignment_passes = 12;
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
 constexpr std::uint32_t minimum_edges = 2;
-// Part of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
+// Ratio of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
 // that the score of the union outweighs, though they fit their own plane.
 constexpr Ratio misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
@@ -47,7 +47,7 @@ constexpr std::int64_t much_larger = 4;
 // Points of the sample in which the two planes of a split are sought, and how often they are fitted.
 constexpr std::int64_t split_sample = 256;
 constexpr int split_steps = 5;
-// A shape needs at least this part of the neighbors of its points within epsilon of its plane. Planes through clutter
+// A shape needs at least this ratio of the neighbors of its points within epsilon of its plane. Planes through clutter
 // have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
 constexpr Ratio near_neighbors = {11, 20};
 // Largest rms of a shape of low noise, in epsilons: its points are no clutter to others.
