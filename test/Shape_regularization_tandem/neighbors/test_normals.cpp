@@ -29,11 +29,11 @@ std::vector<Grid_point> sorted(const std::vector<Grid_point>& points, std::vecto
   return f.point;
 }
 
-// The noisy sides of a turned box, and clutter around it.
+// The noisy faces of a turned box, and clutter around it.
 struct Box_cloud {
   std::vector<Grid_point> points;
-  std::vector<int> face;      // axis of its normal; of clutter, that of the nearest side that it is over
-  std::vector<double> height; // of clutter over that side, -1 for the points of a side
+  std::vector<int> face;      // axis of its normal; of clutter, that of the nearest face that it is over
+  std::vector<double> height; // of clutter over that face, -1 for the points of a face
 
   Box_cloud(std::size_t size, double clutter, double sigma)
   {
@@ -50,12 +50,12 @@ struct Box_cloud {
       face.push_back(scene.label[i] / 2);
       height.push_back(scene.label[i] < 0 ? 1e9 : -1);
       if(scene.label[i] < 0)
-        find_side(scene.points[i]);
+        find_face(scene.points[i]);
     }
   }
 
 private:
-  void find_side(const Vec& p)
+  void find_face(const Vec& p)
   {
     const double c[3] = {dot(p, frame.x), dot(p, frame.y), dot(p, frame.z)},
                  size[] = {box_size.x, box_size.y, box_size.z};

@@ -83,7 +83,7 @@ class Browser {
     }, point);
   }
 
-  // The ratio of the pixels of a region, [left, top, width, height], that have a color: red, green and blue from 0 to 1.
+  // The ratio of the pixels of a region, [left, top, width, height], that have a color: red, green, blue from 0 to 1.
   // The picture is drawn again, as its pixels are gone after the task.
   ratio(region, color) {
     return this.tab.evaluate(([[left, top, width, height], color]) => {

@@ -208,10 +208,10 @@ BOOST_AUTO_TEST_CASE(gains)
               m = 3 + int(random() % 62);
     Fragment a = random_fragment((std::max)(n, m), 0, factor, random),
              b = random_fragment((std::min)(n, m), 1000, factor, random), small[] = {a, b};
-    for(std::uint32_t side : {0u, 1u}) {
-      for(Grid_point& p : small[side].point)
+    for(std::uint32_t part : {0u, 1u}) {
+      for(Grid_point& p : small[part].point)
         p = {p.x / factor, p.y / factor, p.z / factor, p.normal};
-      small[side].finish(64 * side, std::uint8_t(8 * octaves));
+      small[part].finish(64 * part, std::uint8_t(8 * octaves));
     }
     a.finish(0);
     b.finish(64);

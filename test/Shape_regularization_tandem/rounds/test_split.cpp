@@ -181,7 +181,7 @@ Stage_parameters split_options(int k)
 struct Scene {
   const char* name;
   int points;
-  double side;
+  double width;
   double gap;   // between layers, of which the second one has two points of five
   double ridge; // over the eaves, where both faces meet
   double noise;
@@ -197,10 +197,10 @@ struct Scene {
   {
     scenes::Random random(5);
     for(int i = 0; i < points; ++i) {
-      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / side;
+      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / width;
       face.push_back(ridge == 0 ? i % 5 < 2 : std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0);
       const double z = face.back() * gap + ridge * (1 - std::fabs(2 * from_ridge)) + noise * random.gaussian();
-      point.push_back({std::int32_t(side * x), std::int32_t(side * random.uniform()),
+      point.push_back({std::int32_t(width * x), std::int32_t(width * random.uniform()),
                        std::int32_t(std::lround(epsilon * z)),
                        encode_normal({!is_sharp        ? 0
                                       : from_ridge > 0 ? slope

@@ -113,7 +113,7 @@ void check_result(const std::string& name, double maximum_distance, std::size_t 
   scenes::Options options = scene_options(4000, noise, .05);
   options.normals = scenes::Normals::perturbed;
   scenes::Scene scene = scenes::make_scene(name, options);
-  for(std::size_t i = 0; i < scene.normals.size(); i += 2) // no point has a side
+  for(std::size_t i = 0; i < scene.normals.size(); i += 2) // normals are not oriented
     scene.normals[i] = -1. * scene.normals[i];
   const Shapes shapes = detect_valid(name, to_cloud(scene), points_only(maximum_distance, minimum));
   const Result_score found = shapes.statistics().score, expected = brute_force(scene.points, shapes);

@@ -140,7 +140,7 @@ private:
       for(int j = 0; j < rows; ++j)
         places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
                          (j + .5) / rows * border.drop * up_);
-    return std::fabs(rays.ratio(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
+    return std::fabs(rays.balance(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
   }
 
   // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
@@ -222,7 +222,7 @@ struct Surface_input {
     Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
   }
 
-  // The coplanar group of a plane; none if it has no points, or is a side of the box.
+  // The coplanar group of a plane; none if it has no points, or is a face of the box.
   int group(int plane) const
   {
     return plane >= 0 && std::size_t(plane) < groups.size() ? groups[std::size_t(plane)] : none;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
-// preparation no stage changes it, but for estimated normals: near edges (choose_sides.h), and those that points take from
-// their surfels (exact_check.h).
+// preparation no stage changes it, but for estimated normals: near edges (choose_edge_sides.h), and those that points
+// take from their surfels (exact_check.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
@@ -22,10 +22,10 @@ struct Grid {
 
 // The cells whose points are one surfel. Where points have tolerances of their own, cells are smaller in each octave.
 struct Surfel_cells {
-  double edge = 0; // of the largest ones, in steps; 0: each point is a surfel
-  int octaves = 0; // of smaller ones
+  double width = 0; // of the largest ones, in steps; 0: each point is a surfel
+  int octaves = 0;  // of smaller ones
 
-  double smallest_edge() const { return std::ldexp(edge, -octaves); }
+  double smallest_width() const { return std::ldexp(width, -octaves); }
 };
 
 // The plane in the caller's coordinates, with the same normal. It is 0. - fma(...) and not -fma(...): where g++ fuses

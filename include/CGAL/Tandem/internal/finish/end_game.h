@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 
 #include <CGAL/Tandem/internal/base/Progress.h>
-#include <CGAL/Tandem/internal/finish/choose_sides.h>
+#include <CGAL/Tandem/internal/finish/choose_edge_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
@@ -111,7 +111,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     fit_planes(points, shapes);
     assign(shapes, options);
     if(options.has_estimated_normals) {
-      choose_sides(points, shapes, options.growth.tolerance);
+      choose_edge_sides(points, shapes, options.growth.tolerance);
       assign(shapes, options);
     }
     auto links = collect_links(points, shapes, Links::all, Phase::end);
@@ -126,7 +126,7 @@ template <class Backend>
 void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   const Tolerance& tolerance = options.growth.tolerance;
-  choose_sides(points, shapes, tolerance);
+  choose_edge_sides(points, shapes, tolerance);
   fit_normals_to_shapes(points, shapes, tolerance);
   detach_misfits(points, shapes, tolerance);
 }

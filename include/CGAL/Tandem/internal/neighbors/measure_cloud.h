@@ -125,10 +125,10 @@ private:
     const std::size_t middle = first + (last - first) / 2;
     const Vector d = p - patch_[middle].position;
     found.add({dot(d, d), std::uint32_t(middle)});
-    const double side = component(d, axis_[middle]);
-    const bool is_low = side < 0;
+    const double offset = component(d, axis_[middle]);
+    const bool is_low = offset < 0;
     search(p, is_low ? first : middle + 1, is_low ? middle : last, found);
-    if(side * side <= found.limit())
+    if(offset * offset <= found.limit())
       search(p, is_low ? middle + 1 : first, is_low ? last : middle, found);
   }
 

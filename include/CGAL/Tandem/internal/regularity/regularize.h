@@ -260,12 +260,12 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
 inline void set_directions(std::vector<Direction_group>& groups, const Regularity_parameters& options)
 {
   if(options.orthogonality)
-    Frames(groups, options).tie();
+    Frames(groups, options).make_orthogonal();
   else
     for(Direction_group& g : groups)
       g.direction = g.fitted;
   for(const Vector& axis : options.symmetry_axis)
-    Axis_symmetry(groups, axis, options).tie();
+    Axis_symmetry(groups, axis, options).make_symmetric();
 }
 
 // Shapes that their group turns by more than the tolerance, or at more than a direction is worth, get groups of their

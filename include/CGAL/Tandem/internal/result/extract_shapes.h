@@ -211,8 +211,8 @@ private:
     }
   }
 
-  // Counts the opposite normals of each shape, and sums distances and what the score counts. Only given normals have a
-  // side: estimated ones are not oriented.
+  // Counts the opposite normals of each shape, and sums distances and what the score counts. Estimated
+  // normals are not oriented.
   void measure_shapes(const std::uint32_t* shape, Engine_result& result)
   {
     auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));

@@ -43,8 +43,8 @@ struct Point_sample {
   CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
-// A trial begins with the sides of the points of the sample. Then both sides are fitted, and points go to the nearer
-// plane, in turn. By a group of lanes, which share the points of the sample.
+// A trial begins with two halves of the sample. Then a plane is fitted to each half, and points go to that of the
+// nearer plane, in turn. By a group of lanes, which share the points of the sample.
 class Split_gain {
 public:
   static constexpr int starts = 7;
@@ -69,7 +69,7 @@ public:
       return Split();
     const Eigen_system axes = eigen_system(s.scatter.matrix);
     const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
-    Halves halves(sample, all, [&](const Grid_point& p) { return is_on_second_side(s, axes, p, start); });
+    Halves halves(sample, all, [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start); });
     Split split;
     for(int step = 0; step < tuning::moves::split_steps; ++step) {
       if(halves.first.count < 3 || halves.second.count < 3)
@@ -102,7 +102,7 @@ private:
     return Lane_group::sum(sum);
   }
 
-  // The moments of those points of a sample that are on the second side, and of the others.
+  // The moments of those points of a sample that are in the second half, and of the others.
   struct Halves {
     template <class Predicate>
     CGAL_TANDEM_HD Halves(const Point_sample& sample, const Moments& all, Predicate is_second) : first(all)
@@ -135,7 +135,7 @@ private:
   }
 
   // Halves along both axes, of the distance, of the normal along both axes; middle and ends; near and far.
-  CGAL_TANDEM_HD bool is_on_second_side(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start) const
+  CGAL_TANDEM_HD bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start) const
   {
     const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
     const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
@@ -149,8 +149,8 @@ private:
     if(start == 3 || start == 4) {
       const Int_vector m = decode_normal(p.normal);
       const Vector n = {double(m.x), double(m.y), double(m.z)};
-      const double side = dot(n, axes.vector[0]) < 0 ? -1 : 1;
-      return side * dot(n, axes.vector[start == 3 ? 2 : 1]) > 0;
+      const double sign = dot(n, axes.vector[0]) < 0 ? -1 : 1;
+      return sign * dot(n, axes.vector[start == 3 ? 2 : 1]) > 0;
     }
     if(start == 5)
       return along * along * s.scatter.count > axes.value[2];

@@ -48,10 +48,10 @@ constexpr Ratio joined = {3, 10};
 
 } // namespace surfels
 
-// Whether given normals have a side. See keep_to_sides.h.
+// Whether given normals are oriented. See cut_wall_sides.h.
 namespace orientation {
 
-// They have where this ratio of close neighbors on one plane agrees. All do where normals are oriented, .82 where a
+// They are where this ratio of close neighbors on one plane agrees. All do where normals are oriented, .82 where a
 // tenth of them is wrong, half of them where they are not oriented.
 constexpr Ratio agreement = {3, 4};
 // Surfels of which one is looked at. Larger: less time, and chance decides in small clouds.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Normals where the caller gives none, and on which side of an edge points are. See Ratio.h.
+// Normals where the caller gives none, and edge sides. See Ratio.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
@@ -55,22 +55,22 @@ constexpr double last_variance_step = 2e-3;
 
 } // namespace normals
 
-// Points near edges, where normals are estimated.
-namespace sides {
+// Edge sides of surfels, where normals are estimated. See choose_edge_sides.h.
+namespace edge_sides {
 
 // A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this ratio of
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
-// beyond it is near none. Larger: fewer points change sides under noise.
+// beyond it is near none. Larger: fewer surfels change their edge side under noise.
 constexpr Ratio clear_ratio = {1, 2};
 // Fewest visits to points of a shape to which a normal is fitted again: about eight points.
 constexpr int minimum_visits = 24;
 // Visits to the points around per point: 2.5 to 3.2 (measured), since some are visited several times.
-constexpr double visits_per_point = 3;
+constexpr double visits_per_surfel = 3;
 // Squared alpha, in expected squared errors, that such a normal needs: three standard deviations. Smaller: noise alone
 // takes points near edges from dense clouds.
-constexpr double squared_alpha_per_error = 9;
+constexpr double alpha2_per_error = 9;
 
-} // namespace sides
+} // namespace edge_sides
 
 } // namespace tuning
 } // namespace CGAL::Tandem::internal
