@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Components of points that lie on several ranks. A ghost and its owner's point are one point, so they join a component
-// here with one there: these pairs are few, and each rank joins all of them. One process has none of them.
+// Components of surfels that lie on several ranks. A ghost and its owner's surfel are one surfel, so they join a
+// component here with one there: these pairs are few, and each rank joins all of them. One process has none of them.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
@@ -20,7 +20,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// A union-find of points of any rank, by their numbers. The smallest one of a set is its root.
+// A union-find of surfels of any rank, by their numbers. The smallest one of a set is its root.
 class Point_sets {
 public:
   struct Edge {
@@ -72,8 +72,8 @@ class Border_components {
 public:
   Border_components(Backend& backend, const Ranks<Backend>& ranks) : backend_(backend), ranks_(ranks) {}
 
-  // component: by point, its root on this rank, where roots are the smallest places; inner ghosts have entries.
-  // Afterwards parts of one component on this rank have one root. label: with marks for free points.
+  // component: by surfel, its root on this rank, where roots are the smallest places; inner ghosts have entries.
+  // Afterwards parts of one component on this rank have one root. label: with marks for free surfels.
   void find(const Cloud_view& cloud, const std::uint32_t* label, std::uint32_t* component)
   {
     if constexpr(Ranks<Backend>::are_many) {
@@ -86,8 +86,8 @@ public:
     }
   }
 
-  // size: by root, of the n points of this rank; becomes that of the whole component. Larger ones than 32 bits can hold
-  // become the largest number.
+  // size: by root, of the n surfels of this rank; becomes that of the whole component. Larger ones than 32 bits can
+  // hold become the largest number.
   void sum_sizes(std::size_t n, std::uint32_t* size)
   {
     if constexpr(Ranks<Backend>::are_many) {
@@ -108,15 +108,15 @@ public:
     }
   }
 
-  // The number of the smallest point of the component with this root on this rank.
+  // The number of the smallest surfel of the component with this root on this rank.
   std::uint64_t global_root(std::uint32_t root) const
   {
     const Border_component* const border = at(root);
     return border != nullptr ? border->global_root : ranks_.number(root);
   }
 
-  // own: large components with points on this rank, by root. Returns those of all ranks, in the order of their global
-  // roots. The root is no_index where they have no point on this rank.
+  // own: large components with surfels on this rank, by root. Returns those of all ranks, in the order of their global
+  // roots. The root is no_index where they have no surfel on this rank.
   std::vector<Component> join_large(std::vector<Component> own) const
   {
     if constexpr(!Ranks<Backend>::are_many)
@@ -143,11 +143,11 @@ public:
 private:
   struct Border_component {
     std::uint32_t root;        // the smallest position on this rank
-    std::uint64_t global_root; // the number of the smallest point of all ranks
+    std::uint64_t global_root; // the number of the smallest surfel of all ranks
     std::uint64_t size;        // of the whole component, after sum_sizes()
   };
 
-  // The points of a component on one rank.
+  // The surfels of a component on one rank.
   struct Part {
     std::uint64_t global_root, size;
 

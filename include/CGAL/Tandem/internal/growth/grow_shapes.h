@@ -19,10 +19,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- The points at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
+// --- The surfels at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
 // Fills the Border of the cloud, nothing else.
 
-// Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
+// Whether the surfels of a cell have a neighbor in another one. Only its own row counts, since proposals are
 // made along that row.
 struct Mark_border {
   Cloud_view cloud;
@@ -62,7 +62,8 @@ private:
   }
 };
 
-// Finds the border points of all cells. The marks take one byte a point meanwhile, the result 8 bytes a border point.
+// Finds the border surfels of all cells. The marks take one byte a surfel meanwhile, the result 8 bytes a border
+// surfel.
 template <class Backend>
 void find_border(Labeled_cloud<Backend>& points)
 {
@@ -81,8 +82,8 @@ void find_border(Labeled_cloud<Backend>& points)
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
 // table of shapes follows below. Also: which cells still have many untried seeds.
 
-// The proposal for a free border point: the nearest shape among those of its neighbors that it fits, of equally near
-// ones the smallest id. Labels and planes do not change meanwhile, so the points may come in any order.
+// The proposal for a free border surfel: the nearest shape among those of its neighbors that it fits, of equally near
+// ones the smallest id. Labels and planes do not change meanwhile, so the surfels may come in any order.
 struct Propose {
   Cloud_view cloud;
   const std::uint32_t* label; // by position

@@ -26,7 +26,7 @@
 namespace CGAL::Tandem::internal {
 
 // --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that this
-// saves is worth more than what their points lose. Directions stay. See the manual, "Relations by Price".
+// saves is worth more than the loss of their points. Directions stay. See the manual, "Relations by Price".
 
 class Coplanar_groups {
 public:
@@ -125,7 +125,7 @@ private:
 };
 
 // --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
-// this saves are worth more than what its points lose. Shapes are only read. See the manual, "Relations by Price".
+// this saves are worth more than the loss of its points. Shapes are only read. See the manual, "Relations by Price".
 
 // The groups are united in steps. In each, groups are visited by falling number of points. A group joins the one before
 // it at which it gains most, unless that has joined another one itself. Then groups are fitted again, until none joins.

@@ -46,7 +46,7 @@ struct Mark_low_noise {
   }
 };
 
-// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
+// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their surfels are
 // free.
 struct Map_to_entries {
   const std::uint32_t* source;
@@ -60,7 +60,7 @@ struct Map_to_entries {
   }
 };
 
-// Points of dropped shapes are free.
+// Surfels of dropped shapes are free.
 struct Free_dropped {
   const std::uint8_t* is_dropped; // by label
   std::uint32_t* label;
@@ -72,9 +72,9 @@ struct Free_dropped {
   }
 };
 
-// Item i is the i-th component of the result. Its number goes to its root, where the points of the component find it.
+// Item i is the i-th component of the result. Its number goes to its root, where the surfels of the component find it.
 struct Number_roots {
-  const Component* component; // in the order of the shapes; no_index if it has no point on this rank
+  const Component* component; // in the order of the shapes; no_index if it has no surfel on this rank
   std::uint32_t* number;      // by root
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -84,7 +84,7 @@ struct Number_roots {
   }
 };
 
-// Puts the number of its shape in place of the root of a point; no_index if no component of the result has the root.
+// Puts the number of its shape in place of the root of a surfel; no_index if no component of the result has the root.
 struct Number_points {
   const std::uint32_t* number; // by root
   std::uint32_t* component;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Unions of touching shapes that gain (Union_gain), in rounds of mutual choice. merge_shapes.h runs
-// them, and merges the shapes and their points. See the manual, "Unions".
+// them, and merges the shapes and their surfels. See the manual, "Unions".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each point goes to the adjacent shape where it is worth most: see score/Score.h. Planes are fixed meanwhile. Changes
-// labels of points, and moments and boxes of shapes. See the manual, "Assignment".
+// Each surfel goes to the adjacent shape where it is worth most: see score/Score.h. Planes are fixed meanwhile. Changes
+// labels of surfels, and moments and boxes of shapes. See the manual, "Assignment".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
@@ -19,8 +19,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Which label each point chooses in the passes of an assignment, and which points a pass has to look at. Changes tables
-// of the assignment only. See the manual, "Assignment".
+// --- Which label each surfel chooses in the passes of an assignment, and which surfels a pass has to look at. Changes
+// tables of the assignment only. See the manual, "Assignment".
 
 // What an assignment reads of a shape.
 struct Assigned_shape {
@@ -29,14 +29,14 @@ struct Assigned_shape {
   std::int64_t plane_number; // of the relations, -1: none
 };
 
-// Some points, a bit each, by block.
+// Some surfels, a bit each, by block.
 using Block_points = std::uint64_t;
 static_assert(Block_row::points == 64, "a block has a bit for each point");
 
 CGAL_TANDEM_HD inline Block_points bit_of(std::uint32_t i) { return Block_points(1) << (i % Block_row::points); }
 
-// The points that have changed their label in a pass, by block: two tables, as each pass considers one half of the
-// points. The first pass follows the last one of the assignment before.
+// The surfels that have changed their label in a pass, by block: two tables, as each pass considers one half of the
+// surfels. The first pass follows the last one of the assignment before.
 struct Label_changes {
   static_assert(tuning::moves::assignment_passes % 2 == 0, "the tables would be exchanged");
 
@@ -45,15 +45,15 @@ struct Label_changes {
   CGAL_TANDEM_HD Block_points operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
 };
 
-// The passes of an assignment, as rounds. They may end when two have changed nothing. In each a point gets the label
-// that is worth most, of its own and those of its neighbors that it fits. A free point joins any shape that it fits. Of
-// the other points each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one
-// plane exchange no points, since the plane does not tell them apart. Labels are only read, so the order of points does
-// not matter.
+// The passes of an assignment, as rounds. They may end when two have changed nothing. In each a surfel gets the label
+// that is worth most, of its own and those of its neighbors that it fits. A free surfel joins any shape that it fits.
+// Of the other surfels each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one
+// plane exchange no surfels, since the plane does not tell them apart. Labels are only read, so the order of surfels
+// does not matter.
 //
 // The choice is that of before where no label around has changed in the last two passes, and either no plane has changed
-// since the point was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is not
-// visited has the same labels in both tables.
+// since the surfel was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is
+// not visited has the same labels in both tables.
 template <class Backend>
 struct Assignment_passes {
   enum Step { begin, visit, steps };
@@ -62,13 +62,13 @@ struct Assignment_passes {
   const Assigned_shape* shape;
   std::size_t blocks;
   const Block_row* row;         // by block
-  const Block_entries* entries; // by point
+  const Block_entries* entries; // by surfel
   const Block_points* outside;  // changed before the first pass, by block
   Block_points* recent;         // changed lately, by block
   Label_changes changes;
-  Block_points* border;       // by block: points that had a neighbor in another shape
+  Block_points* border;       // by block: surfels that had a neighbor in another shape
   std::uint32_t* has_changes; // by pass
-  std::uint32_t* label[2];    // by point: pass p reads table p % 2 and writes the other one
+  std::uint32_t* label[2];    // by surfel: pass p reads table p % 2 and writes the other one
   Score score;
   Tolerance tolerance;
 
@@ -87,8 +87,8 @@ struct Assignment_passes {
       [&](std::size_t b) { visit_block(std::uint32_t(b), std::uint32_t(pass)); });
   }
 
-  // After the passes, sets the interior bits of the points of a block: of those without a neighbor in another shape when
-  // they were last considered, unless one may have changed since. So links are searched at the others only.
+  // After the passes, sets the interior bits of the surfels of a block: of those without a neighbor in another shape
+  // when they were last considered, unless one may have changed since. So links are searched at the others only.
   CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
   {
     const Block_entries changed = changed_entries(b, changes);
@@ -99,7 +99,7 @@ struct Assignment_passes {
   }
 
 private:
-  // Whether points may not have been considered with the present planes.
+  // Whether surfels may not have been considered with the present planes.
   CGAL_TANDEM_HD static bool has_new_planes(std::size_t pass) { return pass < 2; }
 
   CGAL_TANDEM_HD void begin_pass(std::size_t pass, std::size_t b) const
@@ -128,7 +128,7 @@ private:
     for_each_point(b, [&](std::uint32_t i) { choose(i, pass, changed); });
   }
 
-  // The lanes of a group share the points of a block.
+  // The lanes of a group share the surfels of a block.
   template <class F>
   CGAL_TANDEM_HD void for_each_point(std::uint32_t b, F f) const
   {
@@ -150,7 +150,7 @@ private:
       Backend::atomic_exchange_if(has_changes[pass], 0u, 1u);
   }
 
-  // One half of the points in even passes, the other one in odd passes.
+  // One half of the surfels in even passes, the other one in odd passes.
   CGAL_TANDEM_HD bool is_considered(std::uint32_t i, std::uint32_t pass) const
   {
     return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
@@ -238,7 +238,7 @@ private:
     return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
   }
 
-  // Of a point in shape s, at a distance of its plane and with so many links to it.
+  // Of a surfel in shape s, at a distance of its plane and with so many links to it.
   CGAL_TANDEM_HD std::int64_t worth(std::uint32_t s, const Score_item& item, std::int64_t distance,
                                     std::int64_t links) const
   {
@@ -249,7 +249,7 @@ private:
 template <class Backend>
 struct Set_interior {
   Assignment_passes<Backend> passes;
-  std::uint8_t* state; // by point
+  std::uint8_t* state; // by surfel
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const { passes.set_interior(std::uint32_t(b), state); }
 };
@@ -267,14 +267,14 @@ struct Set_assigned {
   }
 };
 
-// The first labels: a point that does not fit its shape leaves it. Notes which of them are others than those that the
+// The first labels: a surfel that does not fit its shape leaves it. Notes which of them are others than those that the
 // last assignment chose.
 template <class Backend>
 struct Start_assignment {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
-  std::uint32_t *chosen, *next; // by point
+  std::uint32_t *chosen, *next; // by surfel
   Block_points* changed;        // by block
   Tolerance tolerance;
 
@@ -290,15 +290,15 @@ struct Start_assignment {
   }
 };
 
-// For each cell: writes the chosen labels, and sums what each shape loses and what it gets. A point changes its cell's
-// table only where its label changes. Integer sums, so the order does not matter.
+// For each cell: writes the chosen labels, and sums what leaves each shape and what joins it. A surfel changes its
+// cell's table only where its label changes. Integer sums, so the order does not matter.
 template <class Backend>
 struct Apply_chosen {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* chosen;
   Labels_view labels;
-  Shared_moments* change; // by shape, lost points with sign -1
+  Shared_moments* change; // by shape; points that leave have sign -1
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
@@ -321,7 +321,7 @@ struct Apply_chosen {
   }
 };
 
-// Points take the chosen labels, by position. Moments follow; boxes may be too large, because a lost point does not
+// Surfels take the chosen labels, by position. Moments follow; boxes may be too large, because what leaves does not
 // shrink them. Shapes may become empty.
 template <class Backend>
 void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
@@ -337,8 +337,8 @@ void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   add_deltas(backend, shapes);
 }
 
-// Assignments of one cloud. Each remembers the labels that it has chosen, and which points had neighbors in other
-// shapes. So the next one looks at those and at what has changed since, and chooses as if it looked at all points.
+// Assignments of one cloud. Each remembers the labels that it has chosen, and which surfels had neighbors in other
+// shapes. So the next one looks at those and at what has changed since, and chooses as if it looked at all surfels.
 template <class Backend>
 class Assignment {
   template <class T>
@@ -352,8 +352,8 @@ public:
       changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_points(0)))
   {}
 
-  // Planes are those of the table that is rounded for the tests of points. What a shape gains by one point more follows
-  // from its size at the beginning.
+  // Planes are those of the table that is rounded for the tests of surfels. What a shape gains by one point more
+  // follows from its size at the beginning.
   void operator()(Shape_table<Backend>& shapes, const Stage_parameters& options)
   {
     update_tables(points_, shapes, tables::moments);
@@ -405,7 +405,7 @@ private:
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
   Block_rows<Backend> block_;
-  Buffer<std::uint32_t> chosen_; // by point
+  Buffer<std::uint32_t> chosen_; // by surfel
   Buffer<Block_points> border_;  // these two as in Assignment_passes
   Buffer<Block_points> changes_;
 };

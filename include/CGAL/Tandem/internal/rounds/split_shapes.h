@@ -3,7 +3,7 @@
 //
 // A shape whose points lie on two planes becomes two shapes where that gains: layers that one plane has swallowed,
 // surfaces that bend, faces that meet at a small angle. The two planes are found in a sample of the points
-// (Split_gain), and the links that a split would cut are counted; then each point goes to the nearer one. Changes
+// (Split_gain), and the links that a split would cut are counted; then each surfel goes to the nearer one. Changes
 // labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
@@ -300,7 +300,7 @@ struct Count_cut {
   }
 
 private:
-  // From point i to points of the other part of its shape.
+  // From surfel i to surfels of the other part of its shape.
   CGAL_TANDEM_HD std::uint32_t links(std::uint32_t i, const Split& parts) const
   {
     const std::uint32_t* row = cloud.row(i);
@@ -344,7 +344,7 @@ struct Start_half {
   }
 };
 
-// A point goes to the nearer plane, of equally near ones to the first.
+// A surfel goes to the nearer plane, of equally near ones to the first.
 struct Choose_half {
   const Grid_point* point;
   const std::uint32_t* label;

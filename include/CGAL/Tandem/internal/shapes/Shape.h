@@ -45,12 +45,12 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
 struct Shape_history {
-  Regular_plane checked = {};   // against which its points were checked last, and ...
+  Regular_plane checked = {};   // against which its surfels were checked last, and ...
   Regular_plane restarted = {}; // ... with which the whole shape was put on the frontier
   std::int32_t is_fitted = 0;   // its plane is fitted to the points that it has
   std::int32_t is_linked = 0;   // its links are those of its points and plane; wide, so that all bytes are defined
 
-  // Whether its plane has moved since its points were checked against it. Then they are checked again, and linked.
+  // Whether its plane has moved since its surfels were checked against it. Then they are checked again, and linked.
   CGAL_TANDEM_HD bool check_again(const Box& box, const Regular_plane& plane, double maximum_distance)
   {
     if(!(bound_motion(box, checked, plane) > tuning::motion::negligible * maximum_distance))

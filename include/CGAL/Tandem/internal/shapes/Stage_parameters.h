@@ -28,7 +28,7 @@ struct Growth_parameters {
   std::size_t cell_size;    // most surfels of a cell
 };
 
-// Points of a cell, at most. The queue has two bytes a point, so that of a small cell fits into fast memory. The
+// Surfels of a cell, at most. The queue has two bytes a surfel, so that of a small cell fits into fast memory. The
 // largest cell is what 16 bits can address.
 constexpr std::uint32_t small_cell = 8192;
 constexpr std::uint32_t largest_cell = 65536;
