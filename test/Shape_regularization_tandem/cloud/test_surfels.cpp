@@ -35,7 +35,7 @@ struct Case {
 
   std::string text() const
   {
-    return "width " + std::to_string(cells.width) + ", " + std::to_string(cells.octaves) + " octaves" +
+    return "width " + std::to_string(cells.width_steps) + ", " + std::to_string(cells.octaves) + " octaves" +
            (has_normals ? "" : ", no normals");
   }
 };
@@ -73,7 +73,7 @@ Leveled_points random_clusters(std::size_t clusters, const Surfel_cells& surfels
   Leveled_points p = random_points({surfels, width, 0, true});
   for(std::size_t cluster = 0; cluster < clusters; ++cluster) {
     const int octave = int(cluster) % (surfels.octaves + 1);
-    const double radius = std::ldexp(surfels.width, -octave) / 4;
+    const double radius = std::ldexp(surfels.width_steps, -octave) / 4;
     const auto at = [&](std::int32_t from) { return from + radius + random.uniform() * (width - 2 * radius); };
     const double x = at(p.low.x), y = at(p.low.y), z = at(p.low.z);
     const scenes::Vec d = random.direction();
@@ -142,7 +142,7 @@ using Key = std::array<std::int64_t, 5>;
 Key key_of(const Grid_point& p, std::uint8_t level, const Grid_point& low, const Surfel_cells& cells)
 {
   const int octave = naive_octave(level, cells.octaves);
-  const Cube cube = cube_of(p, low, cells.width, octave);
+  const Cube cube = cube_of(p, low, cells.width_steps, octave);
   return {octave, cube[0], cube[1], cube[2], naive_face(p)};
 }
 
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(surfels_of_cubes)
 std::uint32_t naive_target(const Cloud_view& cloud, const Surfel_cells& cells, std::uint32_t i, const Range& cell)
 {
   const int octave = naive_octave(cloud.level_of(i), cells.octaves);
-  const double width = std::floor(std::floor(cells.width) / std::pow(2, octave));
+  const double width = std::floor(std::floor(cells.width_steps) / std::pow(2, octave));
   std::uint32_t best = i;
   const auto size = [&](std::uint32_t s) { return cloud.surfels.points(s).size(); };
   for(const std::uint32_t* q = cloud.row(i); q != cloud.row(i) + cloud.k && *q != no_index; ++q) {

@@ -160,7 +160,7 @@ std::vector<Naive_plane> naive_planes(const Shape_fits& shapes, const Regular_pl
   std::sort(groups.begin(), groups.end(),
             [](const Naive_plane& a, const Naive_plane& b) { return a.offset < b.offset; });
   const auto gain = [&](std::size_t g) { // of g and the one after
-    if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset))
+    if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset_steps))
       return 0.;
     const double a = groups[g].weight, b = groups[g + 1].weight, d = groups[g + 1].offset - groups[g].offset;
     return o.price((std::min)(groups[g].largest, groups[g + 1].largest)) - a * b / (a + b) * d * d;
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(coplanar_groups)
       std::vector<int> kept;
       for(int i : group.members) {
         const double count = shapes[std::size_t(i)].scatter.count, d = group.offset - plane[std::size_t(i)].offset;
-        if(std::fabs(d) <= o.maximum_offset && count * d * d <= o.price(count))
+        if(std::fabs(d) <= o.maximum_offset_steps && count * d * d <= o.price(count))
           kept.push_back(i);
       }
       const bool is_any = kept.size() > 1;

@@ -38,7 +38,7 @@ Stage_parameters union_options(std::int64_t minimum_size = 100)
 {
   Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), 12);
-  o.maximum_distance = epsilon;
+  o.maximum_distance_steps = epsilon;
   o.squared_cosine = cosine_deg(25) * cosine_deg(25);
   o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
   return o;

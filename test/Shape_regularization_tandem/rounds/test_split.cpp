@@ -109,7 +109,7 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
   Stage_parameters options = Stage_parameters();
   options.score = Score(30, f.cloud.k);
   options.minimum_region_size = 30;
-  options.maximum_distance = double(f.tolerance.distance) / normal_scale;
+  options.maximum_distance_steps = double(f.tolerance.distance) / normal_scale;
   options.growth.tolerance = f.tolerance;
   const std::vector<Shape> shape = fitted_shapes(f, f.plane.size());
   const std::vector<Slow_split> expected = slow_splits(f, shape, options, first);
@@ -172,7 +172,7 @@ Stage_parameters split_options(int k)
   Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), k);
   o.minimum_region_size = minimum_size;
-  o.maximum_distance = epsilon;
+  o.maximum_distance_steps = epsilon;
   o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
   return o;
 }

@@ -41,7 +41,7 @@ struct Plane_sums {
 // Lengths are in steps of the grid, so that squares of all units can be computed. Margins bound what its rounding changes.
 inline std::string uncertainty_violation(const Shapes_data& data, const Grid& grid, const std::vector<Plane_sums>& sums)
 {
-  const double change = distance_margin(grid);
+  const double change = distance_margin_steps(grid);
   for(std::size_t s = 0; s < sums.size(); ++s) {
     const Plane_uncertainty& found = data.uncertainty[s];
     const double n = sums[s].count, noise = found.noise / grid.step;
@@ -85,7 +85,7 @@ inline Statistic count_of(const char* name, std::size_t found, std::size_t expec
 inline double rounding_of_distances(const Shapes_data& data, const Import& in)
 {
   const double epsilon = data.parameters.maximum_distance;
-  return (std::min)(distance_margin(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
+  return (std::min)(distance_margin_steps(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
                     epsilon);
 }
 

@@ -103,8 +103,8 @@ CGAL_TANDEM_HD inline std::uint32_t face_of(std::uint32_t normal)
 // Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
 //
 // With surfels the root is 2^20 of their cells wide, and a finest octant is the part of a cell with normals to one
-// face. 2^shift is at least half the width of a cell then. Points of small tolerances are in the smallest cells; in
-// each octave of larger ones, cells are twice as wide.
+// face. 2^shift is at least half the width of a cell then. Points of small tolerances are in the smallest cells;
+// in each octave of larger ones, cells are twice as wide.
 struct Code_frame {
   std::int32_t low[3];
   int shift;
@@ -157,11 +157,11 @@ inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high,
     (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
   while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
-  const double width = surfels.smallest_width();
-  if(width > 0 && double(extent) / width < double((1 << (curve_bits - 1)) - 1)) {
-    frame.cells_per_step = 1 / width;
+  const double width_steps = surfels.smallest_width_steps();
+  if(width_steps > 0 && double(extent) / width_steps < double((1 << (curve_bits - 1)) - 1)) {
+    frame.cells_per_step = 1 / width_steps;
     frame.octaves = surfels.octaves;
-    frame.shift = (std::max)(std::ilogb(width), 0);
+    frame.shift = (std::max)(std::ilogb(width_steps), 0);
   }
   return frame;
 }

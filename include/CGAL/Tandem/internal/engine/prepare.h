@@ -116,7 +116,8 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     if(!progress.show(Detection_stage::normals, 0))
       return false;
     Stage_timer normals(times.normals);
-    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance, points.ranks);
+    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance_steps,
+                     points.ranks);
     backend.wait();
   }
 

@@ -30,13 +30,13 @@ public:
     return 2 * dot * dot > squared_length_ * product(n, n);
   }
 
-  // Whether the neighbor is within a distance, in steps, of the plane through the surfel with its normal.
-  CGAL_TANDEM_HD bool is_near(const Grid_point& q, double distance) const
+  // Whether the neighbor is within a distance of the plane through the surfel with its normal.
+  CGAL_TANDEM_HD bool is_near(const Grid_point& q, double distance_steps) const
   {
     const double along =
       double(std::int64_t(normal_.x) * (q.x - point_.x) + std::int64_t(normal_.y) * (q.y - point_.y) +
              std::int64_t(normal_.z) * (q.z - point_.z));
-    return along * along <= distance * distance * double(squared_length_);
+    return along * along <= distance_steps * distance_steps * double(squared_length_);
   }
 
 private:
@@ -50,13 +50,13 @@ private:
   std::int64_t squared_length_;
 };
 
-// Counts the neighbors within a small distance of the plane of a surfel: those of the same wall side, and those of the
-// opposite one. A pair of surfels counts as often as the smaller one has points. Of a sample by position in the cloud
-// of all ranks.
+// Counts the neighbors within a small distance of the plane of a surfel: those of the same wall side, and those
+// of the opposite one. A pair of surfels counts as often as the smaller one has points. Of a sample by position in the
+// cloud of all ranks.
 struct Count_wall_sides {
   Cloud_view cloud;
   const std::uint32_t* weight; // points of each surfel, and of ghosts
-  double distance;
+  double distance_steps;
 
   CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const
   {
@@ -64,11 +64,11 @@ struct Count_wall_sides {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     const Wall_side side(cloud.point[i]);
-    const double own_distance = distance * level_factor(cloud.level_of(std::uint32_t(i)));
+    const double own_steps = distance_steps * level_factor(cloud.level_of(std::uint32_t(i)));
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const Grid_point& q = cloud.point[row[j]];
       const std::int64_t dot = side.dot(q);
-      if(!side.are_aligned(q, dot) || !side.is_near(q, own_distance))
+      if(!side.are_aligned(q, dot) || !side.is_near(q, own_steps))
         continue;
       sum[dot < 0] += weight[i] < weight[row[j]] ? weight[i] : weight[row[j]];
     }
@@ -86,19 +86,19 @@ struct Write_weight {
 // surface, normals may be wrong.
 struct Drop_opposite_side {
   Cloud_view cloud;
-  double distance;
+  double distance_steps;
   std::uint32_t* neighbor;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Wall_side side(cloud.point[i]);
-    const double own_distance = distance * level_factor(cloud.level_of(std::uint32_t(i)));
+    const double own_steps = distance_steps * level_factor(cloud.level_of(std::uint32_t(i)));
     std::uint32_t* const row = neighbor + i * std::size_t(cloud.k);
     int kept = 0, j = 0;
     for(; j < cloud.k && row[j] != no_index; ++j) {
       const Grid_point& q = cloud.point[row[j]];
       const std::int64_t dot = side.dot(q);
-      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, own_distance))
+      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, own_steps))
         row[kept++] = row[j];
     }
     for(; kept < j; ++kept)
@@ -110,15 +110,15 @@ struct Drop_opposite_side {
 template <class Backend>
 void cut_wall_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud, const Tolerance& tight)
 {
-  const double distance = double(tight.distance) / normal_scale;
+  const double distance_steps = double(tight.distance) / normal_scale;
   const Cloud_view view = cloud.view();
   Buffer_of<Backend, std::uint32_t> weight(cloud.size_with_ghosts());
   backend.for_each(view.size, Write_weight{view.surfels, weight.data()});
   ranks.refresh(weight.data(), Rings::inner);
-  const auto own = backend.template sum<2>(view.size, Count_wall_sides{view, weight.data(), distance});
+  const auto own = backend.template sum<2>(view.size, Count_wall_sides{view, weight.data(), distance_steps});
   const std::size_t same = ranks.total(std::size_t(own[0])), opposite = ranks.total(std::size_t(own[1]));
   if(same > 0 && tuning::orientation::agreement.is_reached(std::int64_t(same), std::int64_t(same + opposite)))
-    backend.for_each(view.size, Drop_opposite_side{view, distance, cloud.neighbor.data()});
+    backend.for_each(view.size, Drop_opposite_side{view, distance_steps, cloud.neighbor.data()});
 }
 
 } // namespace CGAL::Tandem::internal

@@ -191,18 +191,18 @@ private:
 } // namespace normals
 
 // Fills point[i].normal, unoriented; no_normal where all neighbors are equal or collinear. `cloud` needs points and
-// neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_grid is
-// epsilon in grid steps: parts of it define what is free of noise, and what is no clutter. Temporary memory: 100
+// neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_steps is
+// epsilon: parts of it define what is free of noise, and what is no clutter. Temporary memory: 100
 // bytes a surfel.
 template <class Backend>
-void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid,
+void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_steps,
                       const Ranks<Backend>& ranks)
 {
   using namespace normals;
   const std::size_t n = cloud.size, with_ghosts = n + cloud.ghosts;
   Ghost_candidates<Backend> ghosts(backend, ranks, cloud);
   Buffer_of<Backend, Candidate> candidate(ghosts.size());
-  Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
+  Workspace w = make_workspace(cloud, candidate.data(), epsilon_steps);
   w.owner = ghosts.owner(cloud);
   {
     Buffer_of<Backend, Neighborhood> current(with_ghosts), next(n);

@@ -25,9 +25,9 @@ struct Surfel_targets {
     std::uint32_t best = i;
     const std::uint32_t* row = cloud.row(i);
     // Where all points are so near, their rounded centroid is as well, and rows ascend.
-    const std::int64_t width = width_of(i);
+    const std::int64_t width = width_steps_of(i);
     for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], width + 2); ++j)
-      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) && width_of(row[j]) == width &&
+      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) && width_steps_of(row[j]) == width &&
          face_of(cloud.point[row[j]].normal) == face_of(cloud.point[i].normal) && covers(row[j], i, width) &&
          covers(row[j], row[j], width))
         best = row[j];
@@ -42,10 +42,10 @@ private:
   }
 
   // The width of the cell of a surfel, in steps, rounded down.
-  CGAL_TANDEM_HD std::int64_t width_of(std::uint32_t i) const
+  CGAL_TANDEM_HD std::int64_t width_steps_of(std::uint32_t i) const
   {
     const int octave = octave_of(cloud.level_of(i));
-    return std::int64_t(cells.width) >> (octave < cells.octaves ? octave : cells.octaves);
+    return std::int64_t(cells.width_steps) >> (octave < cells.octaves ? octave : cells.octaves);
   }
 
   // Whether two points are less than a distance apart.

@@ -203,27 +203,27 @@ inline void drop_clutter(std::vector<Patch_measure>& patches)
 {
   std::vector<double> first;
   for(const Patch_measure& p : patches)
-    if(p.noise >= 0)
+    if(p.noise_steps >= 0)
       first.push_back(double(p.first));
   const auto last = std::size_t(quantile(first, .5)) + tuning::estimation::late_levels;
   for(Patch_measure& p : patches)
     if(p.first > last)
-      p.noise = -1;
+      p.noise_steps = -1;
 }
 
-// The statistics of the patches, in grid steps.
-inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
+// The statistics of the patches. step: of the grid on which they were measured.
+inline Cloud_measure summarize(const std::vector<Patch_measure>& patches, double step)
 {
   using namespace tuning::estimation;
   std::vector<double> noise, spacing, spacing_in_space, places_per_point;
   std::size_t exact = 0, measured = 0, sheets = 0, bends = 0;
   for(const Patch_measure& p : patches) {
-    if(p.noise < 0) {
-      spacing_in_space.push_back(p.spacing);
+    if(p.noise_steps < 0) {
+      spacing_in_space.push_back(p.spacing_steps);
       continue;
     }
-    noise.push_back(p.noise);
-    spacing.push_back(p.spacing);
+    noise.push_back(p.noise_steps);
+    spacing.push_back(p.spacing_steps);
     places_per_point.push_back(p.places_per_point);
     exact += p.exact;
     measured += p.measured;
@@ -231,10 +231,10 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
     bends += p.bends;
   }
   Cloud_measure m;
-  m.spacing = quantile(spacing.empty() ? spacing_in_space : spacing, .5);
+  m.spacing = step * quantile(spacing.empty() ? spacing_in_space : spacing, .5);
   m.places = noise.empty() ? 1 : quantile(places_per_point, .5);
-  m.noise = quantile(noise, noise_quantile);
-  m.largest_noise = quantile(noise, .9);
+  m.noise = step * quantile(noise, noise_quantile);
+  m.largest_noise = step * quantile(noise, .9);
   const auto ratio = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
   m.exact = ratio(exact, measured);
   m.sheets = ratio(sheets, noise.size());
@@ -257,20 +257,18 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   const Cell_sample sample = sample_cells(backend, points_in_box(backend, in, grid, box));
   std::vector<Patch_measure> patches = measure_patches(backend, measure_planes(backend, sample.point));
   drop_clutter(patches);
-  m = summarize(patches);
+  m = summarize(patches, grid.step);
   m.extent = box.extent();
   m.places *= double(in.total.points) / sample.points_per_point;
   if(m.spacing == 0) // too few places, or all on a line
-    m.spacing = m.extent / (grid.step * std::sqrt(m.places));
-  for(double* length : {&m.spacing, &m.noise, &m.largest_noise})
-    *length *= grid.step;
+    m.spacing = m.extent / std::sqrt(m.places);
   std::vector<Patch_noise> flat;
   for(std::size_t i = 0; i < patches.size(); ++i)
-    if(patches[i].noise >= 0) {
+    if(patches[i].noise_steps >= 0) {
       const Grid_point& p = sample.point[(std::min)(i * patch_size + patch_size / 2, sample.point.size() - 1)];
       m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
                           std::fma(p.z, grid.step, grid.origin.z)},
-                         patches[i].noise * grid.step});
+                         patches[i].noise_steps * grid.step});
       if(patches[i].is_flat())
         flat.push_back(m.patch.back());
     }

@@ -81,7 +81,7 @@ private:
   bool can_move(int shape, double distance) const
   {
     const Scatter& s = shapes_[std::size_t(shape)].scatter;
-    return std::fabs(distance) <= options_.maximum_offset &&
+    return std::fabs(distance) <= options_.maximum_offset_steps &&
            s.weight() * (distance * distance) <= options_.price(s.count);
   }
 
@@ -89,7 +89,7 @@ private:
   double gain(const Group& a, const Group& b) const
   {
     const double d = b.offset - a.offset;
-    if(a.direction != b.direction || !(d <= options_.maximum_offset))
+    if(a.direction != b.direction || !(d <= options_.maximum_offset_steps))
       return -1;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
     return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
@@ -352,7 +352,7 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
     plane[i] = through_centroid(shapes[i], normal[i]);
   const std::vector<int> direction = shared_directions(groups, shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
-  if(options.coplanarity && options.maximum_offset > 0)
+  if(options.coplanarity && options.maximum_offset_steps > 0)
     Coplanar_groups(shapes, direction, options).fit(plane, coplanar);
   Relations r;
   number_relations(plane, direction, coplanar, r);

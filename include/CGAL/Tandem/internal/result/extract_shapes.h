@@ -35,12 +35,12 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
 struct Mark_low_noise {
   const Shape* shape;
   const std::uint32_t* id;
-  double maximum_distance;
+  double maximum_distance_steps;
   std::uint8_t* is_low_noise;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const double distance = tuning::moves::low_noise_rms * maximum_distance;
+    const double distance = tuning::moves::low_noise_rms * maximum_distance_steps;
     const Scatter& scatter = shape[id[i]].scatter;
     is_low_noise[i] = shape[id[i]].fit.smallest < distance * distance * (scatter.count * scatter.squared_tolerance);
   }
@@ -127,7 +127,8 @@ private:
     backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
     is_low_noise_.reset(id.size());
     backend_.for_each(
-      id.size(), Mark_low_noise{shapes_.table().data(), id.data(), options_.maximum_distance, is_low_noise_.data()},
+      id.size(),
+      Mark_low_noise{shapes_.table().data(), id.data(), options_.maximum_distance_steps, is_low_noise_.data()},
       shapes_per_thread);
   }
 

@@ -55,7 +55,7 @@ class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance),
-      per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance))
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {
     const double twice = std::fma(2., options.squared_cosine, -1.);
     squared_cosine_of_twice_ = twice > 0 ? twice * twice : 0;

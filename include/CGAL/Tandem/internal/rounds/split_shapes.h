@@ -52,8 +52,8 @@ public:
 
   explicit Split_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance), minimum_size_(options.minimum_region_size),
-      per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance)),
-      far_(options.maximum_distance / 2)
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps)),
+      far_steps_(options.maximum_distance_steps / 2)
   {}
 
   // Whether a shape would be worth its price if it took all squared distances away.
@@ -154,7 +154,7 @@ private:
     }
     if(start == 5)
       return along * along * s.scatter.count > axes.value[2];
-    const double far = far_ * std::sqrt(s.scatter.squared_tolerance);
+    const double far = far_steps_ * std::sqrt(s.scatter.squared_tolerance);
     return distance > far || distance < -far;
   }
 
@@ -194,7 +194,7 @@ private:
   Tolerance tolerance_;
   std::int64_t minimum_size_;
   double per_square_; // units of the score for a squared grid step
-  double far_;        // in grid steps
+  double far_steps_;  // half of epsilon
 };
 
 // Shapes that may gain by a split.

@@ -190,7 +190,7 @@ struct Apply_plane {
   Plane* plane;
   std::uint8_t* is_restarted;
   std::uint8_t* is_moved;
-  double maximum_distance;
+  double maximum_distance_steps;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
@@ -199,7 +199,7 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    const double distance = maximum_distance * std::sqrt(squared_tolerance(s.moments));
+    const double distance = maximum_distance_steps * std::sqrt(squared_tolerance(s.moments));
     if(s.history.restart_again(s.box, s.plane, distance))
       is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
     is_moved[id] = s.history.check_again(s.box, s.plane, distance);
@@ -228,7 +228,7 @@ void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   merge_shapes(points, shapes, target);
   for_each_shape(points.backend, shapes,
                  Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
-                             options.maximum_distance});
+                             options.maximum_distance_steps});
   for_each_shape(points.backend, shapes, Check_moved{target.data(), is_moved.data(), is_checked.data()});
   update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
 }

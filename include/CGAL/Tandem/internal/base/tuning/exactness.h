@@ -15,9 +15,9 @@ namespace exactness {
 
 // Degrees: packed normals are within .004.
 constexpr double packing_margin_deg = 0.006;
-// Grid steps: rounding a point costs up to .87, rounding a plane's normal up to 1.3; and the relative rounding of the
+// Rounding a point costs up to .87 grid steps, rounding a plane's normal up to 1.3; and the relative rounding of the
 // offset in the caller's coordinates.
-constexpr double distance_margin = 4;
+constexpr double distance_margin_steps = 4;
 constexpr double relative_margin = 1e-14;
 // Of a cosine: what a normal may lose when it is rounded to float.
 constexpr double rounded_normal_margin = 2e-7;
