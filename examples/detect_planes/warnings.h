@@ -220,7 +220,7 @@ constexpr double poor_coverage = .2;
 constexpr double largest_distance_per_extent = .1; // of the maximum distance
 constexpr double smallest_distance_per_noise = .1;
 // Points that are thicker than the maximum distance fill it, so that their mean distance is half of it.
-constexpr double full_ratio = .4;
+constexpr double full_fraction = .4;
 
 // Of the points that could be in shapes. Pixels without a measurement could not. These are all at one place, so they are
 // valid, or all are ignored for one reason, as far points are, and no other has as many points.
@@ -288,7 +288,7 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
     warnings.push_back(warning_of_steps(points, tolerance.mean, ranks));
   // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
   const bool is_thin =
-    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_ratio * p.maximum_distance;
+    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_fraction * p.maximum_distance;
   const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
   const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
   const double noise = is_distance_given ? smallest_noise(measure, ranks) : 0;

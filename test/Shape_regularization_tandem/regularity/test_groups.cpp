@@ -249,11 +249,11 @@ BOOST_AUTO_TEST_CASE(right_angle)
     const Shape_fits shapes =
       make_shapes({{{0, 0, 1}, {0, 0, 0}}, {polar(0, degrees), {200 * epsilon, 0, 0}, 9000, 9000, 200, 500}});
     const double price = cost_of_right_angle(eigen_system(shapes[1].scatter.matrix), {0, 0, 1}) / (epsilon * epsilon);
-    for(double ratio : {.9, 1.1}) {
-      const Relations r = run(shapes, all_on(ratio * price));
-      check_equal(orthogonal_pairs(r.directions).size(), ratio > 1 ? 1u : 0u, "right angles");
+    for(double factor : {.9, 1.1}) {
+      const Relations r = run(shapes, all_on(factor * price));
+      check_equal(orthogonal_pairs(r.directions).size(), factor > 1 ? 1u : 0u, "right angles");
       for(std::size_t i = 0; i < 2; ++i)
-        CHECK_AT(loss(shapes[i], r.directions[i]) <= ratio * price * epsilon * epsilon, "the loss of a right angle");
+        CHECK_AT(loss(shapes[i], r.directions[i]) <= factor * price * epsilon * epsilon, "the loss of a right angle");
     }
   }
 }

@@ -98,7 +98,7 @@ struct Point_sums {
   Point_sums(const Shapes_data& data, const Import& in) : planes(data.coefficients.size())
   {
     const double epsilon = data.parameters.maximum_distance, rounding = 2 * rounding_of_distances(data, in);
-    const auto ratio_of = [](double distance, double length) {
+    const auto fraction_of = [](double distance, double length) {
       return std::uint64_t((std::min)(distance / length, 1.) * double(Score_item::tolerance_units) + .5);
     };
     for(std::size_t i = 0; i < in.size(); ++i) {
@@ -111,8 +111,8 @@ struct Point_sums {
       const double tolerance =
         in.has_tolerances ? epsilon * level_factor(level_of((std::min)(in.tolerances[i], epsilon), epsilon)) : epsilon;
       ++assigned;
-      distance += ratio_of(found, epsilon);
-      fit += std::uint64_t(Score::weight_at({1, 0}, ratio_of(found, tolerance)));
+      distance += fraction_of(found, epsilon);
+      fit += std::uint64_t(Score::weight_at({1, 0}, fraction_of(found, tolerance)));
       fit_error += (std::min)(rounding / tolerance, 1.) + 1e-6;
       planes[std::size_t(s)].add(p, data.uncertainty[std::size_t(s)], found, in.grid.step);
     }

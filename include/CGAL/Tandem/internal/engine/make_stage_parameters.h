@@ -68,8 +68,8 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
     (std::min)(o.minimum_region_size,
                (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_ratio.of(o.minimum_region_size)));
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance_steps, cosine));
-  o.tight = make_tolerance(o.maximum_distance_steps * tuning::growth::tight_distance_ratio,
-                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_ratio));
+  o.tight = make_tolerance(o.maximum_distance_steps * tuning::growth::tight_distance_fraction,
+                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_fraction));
   o.score = Score(p);
   o.regularity = make_regularity_options(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);

@@ -58,7 +58,7 @@ struct Take_neighbor_plane {
     const Candidate& c = w.candidate[own];
     if(!(c.error2 > excellent_error2))
       return;
-    float minimum = c.error2 < no_plane ? propagation_cost_ratio * cost(c) : no_plane;
+    float minimum = c.error2 < no_plane ? propagation_cost_fraction * cost(c) : no_plane;
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
     for(int j = 0; j < w.k && row[j] != no_index; ++j) {

@@ -260,8 +260,8 @@ private:
 // The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_steps)
 {
-  const float flat = to_float(noiseless_ratio * epsilon_steps);
-  const float clutter = to_float(clutter_ratio * epsilon_steps);
+  const float flat = to_float(noiseless_fraction * epsilon_steps);
+  const float clutter = to_float(clutter_fraction * epsilon_steps);
   Workspace w = {};
   w.cloud = cloud;
   w.candidate = candidate;

@@ -78,7 +78,7 @@ private:
     return a == b || std::fabs(sine) < (std::min)(groups[a].sine, groups[b].sine);
   }
 
-  // The groups of a class get the mean of their angles, weighted by points. Those that cannot bear it leave the class.
+  // The groups of a class get the mean of their angles, weighted by points. Those that it costs too much leave it.
   void turn(const std::vector<int>& members)
   {
     std::vector<Turnable> turnable;

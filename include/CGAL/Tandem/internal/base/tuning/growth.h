@@ -19,8 +19,8 @@ namespace growth {
 
 // The tighter bounds by which equally planar seeds are ordered, as fractions of epsilon and alpha. Larger: seeds near
 // edges and steps, where a plane bridges two surfaces.
-constexpr double tight_distance_ratio = 1. / 4;
-constexpr double tight_angle_ratio = 1. / 2;
+constexpr double tight_distance_fraction = 1. / 4;
+constexpr double tight_angle_fraction = 1. / 2;
 // Neighbors that have to fit the plane of a seed.
 constexpr Ratio seed_ratio = {1, 2};
 // Shapes that may grow in a cell for a new one to begin, in the first rounds and later. The paper has one. More: fewer

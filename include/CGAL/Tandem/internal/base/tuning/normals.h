@@ -25,7 +25,7 @@ constexpr float excellent_error2 = 0.000305f;
 // Independent points that a neighborhood is worth more each time it has grown, in units of its first ones (measured).
 constexpr Ratio independent_growth = {6, 5};
 // Thinner than this fraction of epsilon is as good as flat.
-constexpr float noiseless_ratio = 0.02f;
+constexpr float noiseless_fraction = 0.02f;
 // Squared grid steps: no less than the variance of rounding to the grid, which is added to that of what is flat.
 constexpr float rounding_variance = 0.25f;
 // Neighborhoods that are narrower, in squared grid steps or relative to their width, determine no plane: what they are
@@ -38,11 +38,11 @@ constexpr int minimum_rough_neighbors = 3;
 // small. Smaller: a large neighborhood across an edge counts as precise.
 constexpr float thickness_weight = 0.04f;
 // Closer to the plane than this fraction of epsilon is no clutter.
-constexpr float clutter_ratio = 0.5f;
-// Passes in which planes propagate: a surfel near an edge takes the plane of a neighbor whose cost is at most this part
-// of its own.
+constexpr float clutter_fraction = 0.5f;
+// Passes in which planes propagate: a surfel near an edge takes the plane of a neighbor whose cost is at most this
+// fraction of its own.
 constexpr int propagation_passes = 4;
-constexpr float propagation_cost_ratio = 0.8f;
+constexpr float propagation_cost_fraction = 0.8f;
 // How far the point may be from that plane (2 sigma) and from its center along the plane (4 sigma), squared.
 constexpr float propagation_thickness2 = 4;
 constexpr float propagation_width2 = 16;
