@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the
+// What detections end with. Relations must not drop faces of hardly more than the minimum size. Planes lie in the
 // middle of their points. Planes through clutter are no shapes: see drop_clutter_shapes() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"

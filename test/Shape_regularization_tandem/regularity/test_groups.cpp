@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel and coplanar groups are the same as by a look at all pairs, in the definition. By their prices, shapes are
-// related exactly where that is worth more than what their points lose, and none loses more than its relations are
+// related exactly where that is worth more than what it costs their points, and none pays more than its relations are
 // worth.
 
 #include "testing/direction_families.h"
@@ -182,7 +182,7 @@ std::vector<Naive_plane> naive_planes(const Shape_fits& shapes, const Regular_pl
   return groups;
 }
 
-// Shapes that are too far from the plane of their group, or that lose too much there, keep their own.
+// Shapes that are too far from the plane of their group, or for which it costs too much, keep their own.
 BOOST_AUTO_TEST_CASE(coplanar_groups)
 {
   std::size_t united = 0, released = 0;
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(right_angle)
   }
 }
 
-// No group loses more than the price of a degree of freedom by right angles, and no shape more than that of a direction
+// No group pays more than the price of a degree of freedom by right angles, and no shape more than that of a direction
 // by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are
 // known.
 BOOST_AUTO_TEST_CASE(losses)

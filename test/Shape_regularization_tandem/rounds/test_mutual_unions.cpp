@@ -163,7 +163,7 @@ private:
     Verdict v;
     v.gain = score(both) - score(before_a) - score(before_b) - double(options_.score.links(links));
     const double gain_of_larger = v.gain + score(before_b);
-    // Without a look at points, by squares that count all of them, such a union is seen to lose more than a price.
+    // Without a look at points, by squares that count all of them, such a union seems to cost more than a price.
     const double by_squares = v.gain - both.fit + before_a.fit + before_b.fit -
                               Score::unit * (after_a.squares + after_b.squares - before_a.squares - before_b.squares);
     v.is_accepted = v.gain > 0 && gain_of_larger > 0 && 10 * (b.size() - after_b.points) <= b.size() &&

@@ -83,7 +83,7 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
 }
 
 // Runs the passes of growth of a round; returns the number of points that got a shape. Young rounds have one pass: with
-// more, faces are lost under noise. Later rounds have further passes as long as many cells have untried seeds; slow
+// more, faces are missed under noise. Later rounds have further passes as long as many cells have untried seeds; slow
 // rounds, as long as any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge
 // the table of shapes in each round. See the manual, "Growth" and "End of the Loop".
 template <class Backend>

@@ -119,7 +119,7 @@ private:
     return result;
   }
 
-  // Whether the group may turn without losing a right angle: each of its partners has to be orthogonal to the axis, and
+  // Whether the group may turn and keep its right angles: each of its partners has to be orthogonal to the axis, and
   // all of them are parallel then.
   bool find_across(Turnable& t) const
   {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what their points
-// lose (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
+// The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what it costs
+// their points (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
 // (Coplanar_groups). Input are moments, so no point is read; the result is Relations. Neither labels nor shapes change
 // here; rounds/regularize_shapes.h applies the result.
 

@@ -64,7 +64,7 @@ struct Regularity_parameters {
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
   // What a degree of freedom is worth, by the points of the largest shape that has it: a sum of squared distances
-  // (steps^2) that may be lost for it.
+  // (steps^2) that it may cost.
   double price(double points) const { return maximum_distance_steps * maximum_distance_steps * freedom.of(points); }
 
   // That of the two degrees of freedom of a direction.

@@ -201,7 +201,7 @@ struct Gather_uncertain {
   }
 };
 
-// Points that fail lose their label, and no plane is fitted afterwards.
+// Points that fail become free, and no plane is fitted afterwards.
 struct Lock_rejected {
   const std::uint32_t* place;
   const std::uint8_t* is_rejected;

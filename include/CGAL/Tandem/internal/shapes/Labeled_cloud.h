@@ -18,7 +18,7 @@
 namespace CGAL::Tandem::internal {
 
 // The shapes that may have surfels in a cell, in any order, maybe twice. There are too many to be listed if `size`
-// exceeds the capacity. A listed shape may have lost its surfels; a shape with surfels is never missing.
+// exceeds the capacity. A listed shape may have no surfel there any more; a shape with surfels is never missing.
 struct Cell_shapes {
   static constexpr std::uint32_t capacity = 64;
   std::uint32_t size;
@@ -74,7 +74,7 @@ struct Border {
   Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
 };
 
-// When the bits of interior surfels were made. Surfels may have lost their labels since, and shapes may have united,
+// When the bits of interior surfels were made. Surfels may have become free since, and shapes may have united,
 // but within one phase only.
 enum class Phase { none, loop, end };
 

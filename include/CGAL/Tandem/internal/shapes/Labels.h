@@ -21,7 +21,7 @@ constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot t
 constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
 constexpr std::uint8_t tried_seed_bit = 2; // it has been tried as a seed, or its shape was dissolved
 constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
-// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later: see
+// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may have another one later: see
 // Phase in Labeled_cloud.h.
 constexpr std::uint8_t interior_bit = 8;
 

@@ -38,7 +38,7 @@ constexpr std::uint32_t largest_cell = 65536;
 // The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {
   double maximum_distance; // of level 0, in the caller's units
-  double cosine;           // of maximum_angle, raised by what a normal may lose when it is rounded to float
+  double cosine;           // of maximum_angle, raised by the rounding of a normal to float
 
   // Whether p is within the tolerance of its level for certain: true only if every order of evaluation in double finds it
   // so. The margin is relative to the sum of the terms, which bounds the error of rounding.

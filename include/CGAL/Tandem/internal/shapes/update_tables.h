@@ -259,7 +259,7 @@ void fit_shapes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shap
   shapes.set_fitted();
 }
 
-// An interior surfel is skipped, since all of its neighbors have had its label. Neighbors may have lost it since.
+// An interior surfel is skipped, since all of its neighbors have had its label. Neighbors may have another one since.
 struct Clear_interior {
   std::uint8_t* state;
 

@@ -25,16 +25,16 @@ constexpr double minimum_steps_per_distance = 16;
 constexpr int fine_extent_bits = 18;
 constexpr int largest_extent_bits = 24;
 // Where the extent is beyond that, points far from the others are left out if they are at most this ratio, about what
-// does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be lost.
+// does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be left out.
 constexpr Ratio far_ratio = {5, 100};
 // Octaves below epsilon in which tolerances of points have a finer grid and smaller surfels. More: a coarser grid of
 // clouds of large extent; sums of distances need more bits.
 constexpr int maximum_octaves = 6;
 // Where points have tolerances and epsilon is not given, so many of them do not exceed it. Larger: few values that stand for
-// none decide on the grid. Smaller: points with the largest tolerances lose some of it.
+// none decide on the grid. Smaller: points with the largest tolerances get smaller ones.
 constexpr Ratio tolerances_within = {95, 100};
 // Of planes that were found elsewhere: longer tolerances count as this multiple of the extent of the points. All points
-// are within already; a coarser grid would lose their planes.
+// are within already; a coarser grid would miss their planes.
 constexpr double maximum_distance_per_extent = 4;
 
 } // namespace grid
@@ -81,7 +81,7 @@ constexpr int minimum_distance_bits = -22;
 // epsilon in units of the largest coordinate where all points are equal, and, for planes that were found elsewhere and
 // have all of their points on them, in units of the extent. Any small length serves.
 constexpr double smallest_distance = 1e-6;
-// Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are lost.
+// Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are missed.
 constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
 // For planes that were found elsewhere: epsilon in units of the rms distance of their points.
@@ -92,7 +92,7 @@ constexpr double distance_per_rms = 2.5;
 constexpr int few_neighbors = 8;
 constexpr int noise_neighbors = 20;
 // Neighbors closer to each other than this fraction of the farthest one's distance are copies of one point. Smaller:
-// copies that were rounded are taken for a surface. Larger: points of a surface are lost.
+// copies that were rounded are taken for a surface. Larger: points of a surface do not count.
 constexpr double copy_distance = .1;
 // Places that are enough for the noise about a plane.
 constexpr int minimum_places = 7;

@@ -58,7 +58,8 @@ constexpr std::size_t cells_per_untried_cell = 64;
 // points.
 constexpr std::uint32_t points_per_untried_point = 4;
 // Sizes as ratios of the minimum region size. Shapes below the ratio, or below the number of points, are
-// dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces are lost before they meet.
+// dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces become free before they
+// meet.
 constexpr Ratio fragment_ratio = {3, 20};
 constexpr std::int64_t minimum_fragment_size = 6;
 // Smaller shapes get no relations in the loop: while they are young they tilt more than what they would be related to.

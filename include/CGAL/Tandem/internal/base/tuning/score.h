@@ -22,7 +22,7 @@ constexpr std::int64_t unit = 4096;
 constexpr Ratio link = {1, 2};
 // A link to a free point counts so often. Fewer: planes through clutter stay.
 constexpr std::int64_t free_link = 3;
-// Of a shape, in minimum sizes. From 1 on small faces are lost.
+// Of a shape, in minimum sizes. From 1 on small faces are missed.
 constexpr Ratio price = {3, 10};
 // What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
 // minimum size. Fewer: large faces turn farther, also to directions that are not theirs.
@@ -39,8 +39,8 @@ constexpr int rounds = 2;
 constexpr std::uint32_t assignment_passes = 12;
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
 constexpr std::uint32_t minimum_edges = 2;
-// Ratio of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
-// that the score of the union outweighs, though they fit their own plane.
+// Ratio of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points become
+// free that the score of the union outweighs, though they fit their own plane.
 constexpr Ratio misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
