@@ -125,7 +125,7 @@ std::array<int, 2> check_rows(Backend& backend, const std::string& name, const F
   points.cloud.ghosts = f.point.size() - own;
   const Block_rows<Backend> blocks(backend, points.cloud);
   const std::vector<Block_row> row = to_vector(backend, blocks.row);
-  const std::vector<Block_entries> entries = to_vector(backend, blocks.of_point);
+  const std::vector<Block_entries> entries = to_vector(backend, blocks.of_surfel);
   check_equal(entries.size(), std::size_t(own), name + ": number of points");
   check_equal(row.size(), std::size_t((own + 63) / 64), name + ": number of blocks");
   std::vector<Blocks> expected(row.size());

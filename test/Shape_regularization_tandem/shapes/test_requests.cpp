@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(requests_of_rounds)
     auto target = identity_targets(t.points.backend, t.shapes.size);
     for(std::size_t id = 0; id < target.size(); ++id)
       target[id] = std::uint32_t(id & ~std::size_t(1));
-    merge_points(t.points, t.shapes, target);
+    merge_surfels(t.points, t.shapes, target);
   });
   check_stage("links of some shapes", [](State& t, Link_buffer& links) {
     for(std::size_t id = 0; id < t.shapes.size; ++id)

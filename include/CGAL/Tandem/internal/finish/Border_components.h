@@ -21,7 +21,7 @@
 namespace CGAL::Tandem::internal {
 
 // A union-find of surfels of any rank, by their numbers. The smallest one of a set is its root.
-class Point_sets {
+class Surfel_sets {
 public:
   struct Edge {
     std::uint64_t a, b;
@@ -30,7 +30,7 @@ public:
     bool operator==(const Edge& e) const { return a == e.a && b == e.b; }
   };
 
-  explicit Point_sets(const std::vector<Edge>& edges)
+  explicit Surfel_sets(const std::vector<Edge>& edges)
   {
     for(const Edge& e : edges) {
       point_.push_back(e.a);
@@ -46,7 +46,7 @@ public:
 
   std::size_t size() const { return point_.size(); }
   std::uint64_t point(std::size_t i) const { return point_[i]; }
-  std::uint64_t root_point(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
+  std::uint64_t root_surfel(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
 
 private:
   std::uint32_t place(std::uint64_t point) const
@@ -80,8 +80,8 @@ public:
       const std::size_t n = cloud.size + ranks_.ghosts(Rings::inner);
       const Host_view<Backend, const std::uint32_t> labels(backend_, label, n);
       Host_view<Backend, std::uint32_t> roots(backend_, component, n);
-      const std::vector<Point_sets::Edge> edges = joined_components(cloud.size, n, labels.data(), roots.data());
-      take_sets(Point_sets(ranks_.gather(edges)), n, roots.data());
+      const std::vector<Surfel_sets::Edge> edges = joined_components(cloud.size, n, labels.data(), roots.data());
+      take_sets(Surfel_sets(ranks_.gather(edges)), n, roots.data());
       roots.write_back();
     }
   }
@@ -173,14 +173,14 @@ private:
   }
 
   // The pairs of components that share a ghost. The first ghost is at `first`.
-  std::vector<Point_sets::Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
-                                                  const std::uint32_t* component) const
+  std::vector<Surfel_sets::Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
+                                                   const std::uint32_t* component) const
   {
     std::vector<Joined> joined;
     for(std::size_t g = first; g < n; ++g)
       if(label[g] < first_mark)
         joined.push_back({ranks_.number(component[g]), g});
-    std::vector<Point_sets::Edge> edges;
+    std::vector<Surfel_sets::Edge> edges;
     for(const Joined& j : ranks_.to_owners(joined))
       edges.push_back({j.component, ranks_.number(component[j.index])});
     std::sort(edges.begin(), edges.end());
@@ -188,13 +188,13 @@ private:
     return edges;
   }
 
-  void take_sets(Point_sets sets, std::size_t n, std::uint32_t* component)
+  void take_sets(Surfel_sets sets, std::size_t n, std::uint32_t* component)
   {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> roots; // global root, and a root of this rank
     for(std::size_t i = 0; i < sets.size(); ++i) {
       const std::uint32_t index = std::uint32_t(sets.point(i));
       if(is_own(sets.point(i)) && component[index] == index)
-        roots.emplace_back(sets.root_point(i), index);
+        roots.emplace_back(sets.root_surfel(i), index);
     }
     std::sort(roots.begin(), roots.end());
     borders_.clear();

@@ -77,7 +77,7 @@ void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   update_tables(points, shapes, tables::moments);
   for_each_shape(backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
   const auto is_checked = filled_buffer(backend, shapes.size, std::uint8_t(1));
-  update_points(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
+  update_surfels(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
 }
 
 struct Fit_plane {
@@ -141,7 +141,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
   const auto links = collect_links(points, shapes, Links::all, Phase::end);
-  merge_points(points, shapes, coplanar_targets(backend, shapes, links));
+  merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
   assign(shapes, options);
   drop_small(points, shapes, options.minimum_region_size);

@@ -85,7 +85,7 @@ struct Finish {
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
     const Neighborhood h =
-      about_point(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
+      about_surfel(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
     const Thickness t = thickness(h);
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
   }

@@ -111,7 +111,7 @@ struct Neighborhood_sum {
 
 // The neighborhood with second moments about the surfel itself instead of the mean. Its plane is the best one through
 // the surfel.
-CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
+CGAL_TANDEM_HD inline Neighborhood about_surfel(const Neighborhood& h)
 {
   const Float_vector& m = h.mean;
   return {{0, 0, 0},
@@ -299,7 +299,7 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
 
 // The number of independent surfels of a neighborhood that has grown `scale` - 1 times. Its parts overlap, so it is
 // less than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
-CGAL_TANDEM_HD inline float effective_points(int k, int scale)
+CGAL_TANDEM_HD inline float effective_surfels(int k, int scale)
 {
   constexpr Ratio growth = independent_growth;
   return to_float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / to_float(growth.denominator);
@@ -342,7 +342,7 @@ struct Start {
   {
     w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_normal};
     w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
-    consider(w, std::uint32_t(i), w.current[i], effective_points(w.k, 1));
+    consider(w, std::uint32_t(i), w.current[i], effective_surfels(w.k, 1));
   }
 };
 
@@ -370,7 +370,7 @@ struct Commit {
     if(scale < last_scale)
       w.current[i] = w.next[i];
     if((scale & (scale - 1)) == 0) // 2, 4, 8: measured, all scales are not better
-      consider(w, std::uint32_t(i), w.next[i], effective_points(w.k, scale));
+      consider(w, std::uint32_t(i), w.next[i], effective_surfels(w.k, scale));
   }
 };
 

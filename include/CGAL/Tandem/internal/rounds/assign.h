@@ -30,19 +30,19 @@ struct Assigned_shape {
 };
 
 // Some surfels, a bit each, by block.
-using Block_points = std::uint64_t;
-static_assert(Block_row::points == 64, "a block has a bit for each point");
+using Block_surfels = std::uint64_t;
+static_assert(Block_row::surfels == 64, "a block has a bit for each surfel");
 
-CGAL_TANDEM_HD inline Block_points bit_of(std::uint32_t i) { return Block_points(1) << (i % Block_row::points); }
+CGAL_TANDEM_HD inline Block_surfels bit_of(std::uint32_t i) { return Block_surfels(1) << (i % Block_row::surfels); }
 
 // The surfels that have changed their label in a pass, by block: two tables, as each pass considers one half of the
 // surfels. The first pass follows the last one of the assignment before.
 struct Label_changes {
   static_assert(tuning::moves::assignment_passes % 2 == 0, "the tables would be exchanged");
 
-  Block_points* of_pass[2]; // even and odd ones
+  Block_surfels* of_pass[2]; // even and odd ones
 
-  CGAL_TANDEM_HD Block_points operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
+  CGAL_TANDEM_HD Block_surfels operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
 };
 
 // The passes of an assignment, as rounds. They may end when two have changed nothing. In each a surfel gets the label
@@ -63,10 +63,10 @@ struct Assignment_passes {
   std::size_t blocks;
   const Block_row* row;         // by block
   const Block_entries* entries; // by surfel
-  const Block_points* outside;  // changed before the first pass, by block
-  Block_points* recent;         // changed lately, by block
+  const Block_surfels* outside; // changed before the first pass, by block
+  Block_surfels* recent;        // changed lately, by block
   Label_changes changes;
-  Block_points* border;       // by block: surfels that had a neighbor in another shape
+  Block_surfels* border;      // by block: surfels that had a neighbor in another shape
   std::uint32_t* has_changes; // by pass
   std::uint32_t* label[2];    // by surfel: pass p reads table p % 2 and writes the other one
   Score score;
@@ -92,7 +92,7 @@ struct Assignment_passes {
   CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
   {
     const Block_entries changed = changed_entries(b, changes);
-    for_each_point(b, [&](std::uint32_t i) {
+    for_each_surfel(b, [&](std::uint32_t i) {
       const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
       state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
     });
@@ -125,15 +125,15 @@ private:
     const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
     if(changed == 0 && !has_border)
       return;
-    for_each_point(b, [&](std::uint32_t i) { choose(i, pass, changed); });
+    for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, changed); });
   }
 
   // The lanes of a group share the surfels of a block.
   template <class F>
-  CGAL_TANDEM_HD void for_each_point(std::uint32_t b, F f) const
+  CGAL_TANDEM_HD void for_each_surfel(std::uint32_t b, F f) const
   {
-    const Range points = points_of_block(b, cloud.size);
-    for(std::uint32_t i = points.first + Lane_group::rank(); i < points.last; i += Lane_group::size())
+    const Range surfels = surfels_of_block(b, cloud.size);
+    for(std::uint32_t i = surfels.first + Lane_group::rank(); i < surfels.last; i += Lane_group::size())
       f(i);
   }
 
@@ -145,7 +145,7 @@ private:
     label[(pass + 1) % 2][i] = t;
     if(t == s)
       return;
-    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::points], bit_of(i));
+    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::surfels], bit_of(i));
     if(Backend::atomic_load(has_changes[pass]) == 0)
       Backend::atomic_exchange_if(has_changes[pass], 0u, 1u);
   }
@@ -158,16 +158,16 @@ private:
 
   CGAL_TANDEM_HD bool is_at_border(std::uint32_t i) const
   {
-    return (Backend::atomic_load(border[i / Block_row::points]) & bit_of(i)) != 0;
+    return (Backend::atomic_load(border[i / Block_row::surfels]) & bit_of(i)) != 0;
   }
 
   CGAL_TANDEM_HD void set_at_border(std::uint32_t i, bool value) const
   {
     if(is_at_border(i) != value)
-      Backend::atomic_add(border[i / Block_row::points], value ? bit_of(i) : Block_points(0) - bit_of(i));
+      Backend::atomic_add(border[i / Block_row::surfels], value ? bit_of(i) : Block_surfels(0) - bit_of(i));
   }
 
-  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::points] & bit_of(i)) != 0; }
+  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::surfels] & bit_of(i)) != 0; }
 
   // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by planes.
   CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
@@ -275,7 +275,7 @@ struct Start_assignment {
   const std::uint32_t* label;
   const Assigned_shape* shape;
   std::uint32_t *chosen, *next; // by surfel
-  Block_points* changed;        // by block
+  Block_surfels* changed;       // by block
   Tolerance tolerance;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
@@ -285,7 +285,7 @@ struct Start_assignment {
     if(s < first_mark && !cloud.fits(shape[s].plane, i, tolerance))
       s = free_label;
     if(i < cloud.size && chosen[i] != s)
-      Backend::atomic_add(changed[i / Block_row::points], bit_of(i));
+      Backend::atomic_add(changed[i / Block_row::surfels], bit_of(i));
     chosen[i] = next[i] = s;
   }
 };
@@ -348,8 +348,8 @@ public:
   explicit Assignment(Labeled_cloud<Backend>& points)
     : points_(points), backend_(points.backend), block_(points.backend, points.cloud),
       chosen_(filled_buffer(backend_, points.cloud.size_with_ghosts(), no_index)),
-      border_(filled_buffer(backend_, block_.row.size(), Block_points(0))),
-      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_points(0)))
+      border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0))),
+      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_surfels(0)))
   {}
 
   // Planes are those of the table that is rounded for the tests of surfels. What a shape gains by one point more
@@ -363,16 +363,16 @@ public:
     const Cloud_view cloud = points_.cloud.view();
     const std::size_t blocks = block_.row.size();
     Buffer<std::uint32_t> next(chosen_.size());
-    auto outside = filled_buffer(backend_, blocks, Block_points(0));
+    auto outside = filled_buffer(backend_, blocks, Block_surfels(0));
     auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
-    Buffer<Block_points> recent(blocks);
+    Buffer<Block_surfels> recent(blocks);
     backend_.for_each(chosen_.size(), Start_assignment<Backend>{cloud, points_.label(), assigned.data(), chosen_.data(),
                                                                 next.data(), outside.data(), options.growth.tolerance});
     const Assignment_passes<Backend> passes = {cloud,
                                                assigned.data(),
                                                blocks,
                                                block_.row.data(),
-                                               block_.of_point.data(),
+                                               block_.of_surfel.data(),
                                                outside.data(),
                                                recent.data(),
                                                {changes_.data(), changes_.data() + blocks},
@@ -406,8 +406,8 @@ private:
   Backend& backend_;
   Block_rows<Backend> block_;
   Buffer<std::uint32_t> chosen_; // by surfel
-  Buffer<Block_points> border_;  // these two as in Assignment_passes
-  Buffer<Block_points> changes_;
+  Buffer<Block_surfels> border_; // these two as in Assignment_passes
+  Buffer<Block_surfels> changes_;
 };
 
 } // namespace CGAL::Tandem::internal

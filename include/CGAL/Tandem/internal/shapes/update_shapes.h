@@ -78,7 +78,7 @@ struct Relabeling {
 // no seeds any more. Where the shape is checked, surfels that do not fit are detached; those for the second time are
 // locked. A lane reads and writes label and state of its own surfel only. So surfels may come in any order.
 template <class Backend>
-struct Update_points {
+struct Update_surfels {
   Cloud_view cloud;
   const Range* cells;
   Cell_shapes* lists;
@@ -120,20 +120,20 @@ struct Update_points {
 // Relabels the surfels, and detaches those that do not fit the plane of a shape that is checked. Lists follow, and
 // moments; boxes do not shrink. is_checked: by old id; null if no surfel is tested.
 template <class Backend>
-void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target,
-                   const std::uint8_t* is_checked, const Tolerance& tolerance)
+void update_surfels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target,
+                    const std::uint8_t* is_checked, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::lists);
   Shared_moments* const losses = start_deltas(backend, shapes, shapes.size);
   const Labels_view labels = points.change_labels(true);
   backend.template for_each_cell<Update_scratch>(
-    points.number_of_cells(), Update_points<Backend>{points.cloud.view(),
-                                                     points.cells.data(),
-                                                     points.lists(),
-                                                     labels,
-                                                     {target.data(), is_checked, shapes.plane.data(), tolerance},
-                                                     losses});
+    points.number_of_cells(), Update_surfels<Backend>{points.cloud.view(),
+                                                      points.cells.data(),
+                                                      points.lists(),
+                                                      labels,
+                                                      {target.data(), is_checked, shapes.plane.data(), tolerance},
+                                                      losses});
   points.refresh_labels();
   if(is_checked != nullptr) {
     sum_deltas(backend, points.ranks, shapes);
@@ -143,10 +143,10 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 
 // Merges the shapes and their surfels. No surfel is checked.
 template <class Backend>
-void merge_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
+void merge_surfels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
   merge_shapes(points, shapes, target);
-  update_points(points, shapes, target, nullptr, Tolerance());
+  update_surfels(points, shapes, target, nullptr, Tolerance());
 }
 
 template <class Predicate>
@@ -168,7 +168,7 @@ void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, P
   Targets<Backend> target(shapes.size);
   update_tables(points, shapes, tables::moments);
   for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.counted(), is_dropped, target.data()});
-  merge_points(points, shapes, target);
+  merge_surfels(points, shapes, target);
 }
 
 struct Is_below {
@@ -230,7 +230,7 @@ void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
                  Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
                              options.maximum_distance_steps});
   for_each_shape(points.backend, shapes, Check_moved{target.data(), is_moved.data(), is_checked.data()});
-  update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
+  update_surfels(points, shapes, target, is_checked.data(), options.growth.tolerance);
 }
 
 } // namespace CGAL::Tandem::internal
