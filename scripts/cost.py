@@ -10,7 +10,7 @@ import sys
 # Functions that have a row, NAME(), beside the stages of Stage_times; calls by any stage count. A row that is gone, or
 # new, is no fault.
 FUNCTIONS = """sort_points find_neighbors estimate_normals find_border order_seeds grow_cells collect_links sample_shapes
-  merge_by_gain regularize_shapes apply_planes split_shapes raise_score regularize_finally choose_sides
+  merge_by_gain regularize_shapes apply_planes split_shapes raise_score regularize_finally choose_edge_sides
   free_small_components center_shapes extract_shapes""".split()
 
 

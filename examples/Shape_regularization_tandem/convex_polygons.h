@@ -29,12 +29,12 @@ struct Convex_polygons {
 template <class Kernel>
 bool has_area(const std::vector<typename Kernel::Point_2>& hull)
 {
-  constexpr double smallest_share = 1e-6; // of the square of the extent
+  constexpr double smallest_fraction = 1e-6; // of the square of the extent
   if(hull.size() < 3)
     return false;
   const CGAL::Bbox_2 box = CGAL::bbox_2(hull.begin(), hull.end());
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  return CGAL::polygon_area_2(hull.begin(), hull.end(), Kernel()) > smallest_share * extent * extent;
+  return CGAL::polygon_area_2(hull.begin(), hull.end(), Kernel()) > smallest_fraction * extent * extent;
 }
 
 // The convex hull of the points of each plane. Planes whose hull has no area are left out.

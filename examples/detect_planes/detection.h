@@ -205,9 +205,9 @@ template <class Tag>
 Shapes detect(const Point_set& points, const Options& o, Progress_line& progress)
 {
   namespace np = CGAL::Tandem::parameters;
-  const std::function<bool(double)> callback = [&](double share) {
+  const std::function<bool(double)> callback = [&](double fraction) {
     check_signals();
-    progress.show(share);
+    progress.show(fraction);
     return true;
   };
   if(o.has_local_distances)

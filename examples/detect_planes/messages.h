@@ -125,8 +125,8 @@ public:
   void show(double progress)
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    share = (std::min)((std::max)(progress, 0.0), 1.0);
-    work = name_of(CGAL::Tandem::stage_at(share));
+    fraction = (std::min)((std::max)(progress, 0.0), 1.0);
+    work = name_of(CGAL::Tandem::stage_at(fraction));
   }
 
 private:
@@ -141,10 +141,10 @@ private:
   {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     std::ostringstream text;
-    if(share >= 0) {
-      const std::size_t full = std::size_t(share * bar_width);
+    if(fraction >= 0) {
+      const std::size_t full = std::size_t(fraction * bar_width);
       text << '[' << std::string(full, '#') << std::string(bar_width - full, '.') << "] " << std::setw(3)
-           << int(100 * share) << " % ";
+           << int(100 * fraction) << " % ";
     }
     text << work << ", " << std::fixed << std::setprecision(1) << passed.count() << " s";
     const std::string line = text.str().substr(0, most_characters);
@@ -159,7 +159,7 @@ private:
   std::mutex mutex;
   std::condition_variable end;
   std::string work;
-  double share = -1; // not known
+  double fraction = -1; // not known
   std::size_t width = 0;
   bool is_done = false;
   std::thread drawer;

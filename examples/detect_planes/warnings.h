@@ -129,11 +129,11 @@ inline Coordinate_steps find_steps(const Point_set& points, double least, const 
 
 // More points than few_zeros at 0 0 0 where nothing else is near, or than many_zeros there anyway, are no measurements.
 constexpr long long few_zeros = 3, many_zeros = 100;
-// What is near 0 0 0, as a share of the extent.
+// What is near 0 0 0, as a fraction of the extent.
 constexpr double near_zero = .01;
 // A degree has 111 km: heights are larger, compared with an extent in degrees, wherever the ground rises by 1 in 1000.
 constexpr double smallest_height_in_degrees = 100;
-// Steps that are a larger share of the tolerance of points cut surfaces into strips.
+// Steps that are a larger fraction of the tolerance of points cut surfaces into strips.
 constexpr double largest_step_in_tolerance = .25;
 
 // The points of all ranks that are finite and not at 0 0 0, and the number of those at 0 0 0.
@@ -203,14 +203,14 @@ inline std::string warning_of_steps(const Point_set& points, double tolerance, c
 // --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
 
 constexpr double poor_coverage = .2;
-constexpr double largest_share_of_extent = .1; // of the maximum distance
-constexpr double smallest_share_of_noise = .1;
+constexpr double largest_distance_per_extent = .1; // of the maximum distance
+constexpr double smallest_distance_per_noise = .1;
 // Points that are thicker than the maximum distance fill it, so that their mean distance is half of it.
-constexpr double full_share = .4;
+constexpr double full_fraction = .4;
 
 // Of the points that could be in shapes. Pixels without a measurement could not. These are all at one place, so they are
 // valid, or all are ignored for one reason, as far points are, and no other has as many points.
-inline double share_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box& box)
+inline double ratio_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box& box)
 {
   const auto zeros = std::size_t(box.zeros);
   const bool are_valid =
@@ -247,7 +247,7 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
                   " degrees (--maximum-angle)");
 }
 
-// There are free points. Shares of all points, as those of the summary are.
+// There are free points. Ratios of all points, as those of the summary are.
 inline std::string why_poor(const CGAL::Tandem::Statistics& s)
 {
   const Free_reason reason = free_reasons(s.free_points).at(0);
@@ -274,11 +274,11 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
     warnings.push_back(warning_of_steps(points, tolerance.mean, processes));
   // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
   const bool is_thin =
-    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_share * p.maximum_distance;
+    s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_fraction * p.maximum_distance;
   const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
   const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
   const double noise = is_distance_given ? smallest_noise(measure, processes) : 0;
-  const bool is_poor = share_in_shapes(s, box) < poor_coverage;
+  const bool is_poor = ratio_in_shapes(s, box) < poor_coverage;
   if(!o.known_planes.empty() && (is_poor || s.number_of_assigned_points == 0))
     warnings.push_back(sentence("only ", 100 * s.coverage, " % of the points are within the tolerances of a plane of ",
                                 o.planes_from,
@@ -288,11 +288,11 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
     warnings.push_back(why_empty(s, p));
   else if(is_poor && s.number_of_rounds > 0)
     warnings.push_back(why_poor(s));
-  if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
+  if(extent > 0 && p.maximum_distance > largest_distance_per_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is more than a tenth of the extent of the points, ", extent,
                                 ": a smaller --maximum-distance keeps planes apart"));
-  if(p.maximum_distance < smallest_share_of_noise * noise && std::isfinite(noise))
+  if(p.maximum_distance < smallest_distance_per_noise * noise && std::isfinite(noise))
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));

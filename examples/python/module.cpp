@@ -33,14 +33,14 @@ auto without_gil(const F& f)
 
 // Progress for a function of Python, or none. It is called on the calling thread, where signals are handled, and
 // throws what the function raises.
-bool report_progress(const py::object& function, double share)
+bool report_progress(const py::object& function, double fraction)
 {
   const py::gil_scoped_acquire gil;
   if(PyErr_CheckSignals() != 0)
     throw py::error_already_set();
   if(function.is_none())
     return true;
-  const py::object answer = function(share);
+  const py::object answer = function(fraction);
   const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
   if(is_true < 0)
     throw py::error_already_set();
@@ -50,7 +50,7 @@ bool report_progress(const py::object& function, double share)
 Result detect(const Rows& points, const Given& given, const Settings& settings, const py::object& progress)
 {
   const Cloud cloud = cloud_of(points, given);
-  const auto callback = [&progress](double share) { return report_progress(progress, share); };
+  const auto callback = [&progress](double fraction) { return report_progress(progress, fraction); };
   Given all = given;
   all.points = points;
   return Result(without_gil([&] { return detect_planes(cloud, settings, callback); }), all);

@@ -40,7 +40,7 @@ Named_cloud make_cloud(const scenes::Labeled_scene& scene);
 
 struct House {
   std::size_t points;
-  double noise, outliers; // share of the diagonal, share of the points
+  double noise, outliers; // fraction of the diagonal, ratio of the points
   std::uint64_t seed;
 };
 

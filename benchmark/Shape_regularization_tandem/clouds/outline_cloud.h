@@ -50,7 +50,7 @@ inline Parameters outline_parameters(double distance, double angle, std::size_t 
   return p;
 }
 
-// The arguments are those of cloud_arguments. The noise of the house is a share of the diagonal.
+// The arguments are those of cloud_arguments. The noise of the house is a fraction of the diagonal.
 inline Cloud_with_shapes cloud_with_shapes(const std::vector<std::string>& arguments)
 {
   if(arguments.size() == 4) {

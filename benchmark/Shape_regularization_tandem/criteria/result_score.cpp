@@ -36,8 +36,8 @@ internal::Score_counts count(const Scored_cloud& cloud, const Detection& fitting
     if(fitting.label[i] < 0)
       continue;
     const double d = distance(fitting.planes[std::size_t(fitting.label[i])], cloud.points[i]);
-    const double share = (std::min)(d / cloud.tolerances.maximum_distance, 1.);
-    counts.fit += internal::Score::weight_at({1, 0}, std::uint64_t(std::lround(share * units)));
+    const double fraction = (std::min)(d / cloud.tolerances.maximum_distance, 1.);
+    counts.fit += internal::Score::weight_at({1, 0}, std::uint64_t(std::lround(fraction * units)));
   }
   return counts;
 }

@@ -10,13 +10,13 @@
 
 namespace CGAL::Tandem::benchmark {
 
-// Shares of shapes, or of faces, are 0 where there are none.
+// Ratios of shapes, or of faces, are 0 where there are none.
 struct Segmentation {
   // A shape and a face match with an IoU of at least .75, and partly with at least .2.
   double precision = 0, recall = 0, f = 0;
   double mean_iou = 0;        // of the shapes that match
-  double over_segmented = 0;  // share of the faces that several shapes match partly
-  double under_segmented = 0; // share of the shapes that match several faces partly
+  double over_segmented = 0;  // ratio of the faces that several shapes match partly
+  double under_segmented = 0; // ratio of the shapes that match several faces partly
 };
 
 // Faces with fewer points need not be found; a shape that matches one is right.

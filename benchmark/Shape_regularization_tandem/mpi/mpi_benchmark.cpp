@@ -96,10 +96,10 @@ Row detect(const Job& job, const NP& np, const Traits<Tag>& traits)
   Row row;
   Stage stage = Stage::sort;
   double sent = bytes_sent(traits);
-  const auto count = [&](double share) {
+  const auto count = [&](double fraction) {
     row.sent[std::size_t(stage)] += bytes_sent(traits) - sent;
     sent = bytes_sent(traits);
-    stage = CGAL::Tandem::stage_at(share);
+    stage = CGAL::Tandem::stage_at(fraction);
     return true;
   };
   const auto start = std::chrono::steady_clock::now();

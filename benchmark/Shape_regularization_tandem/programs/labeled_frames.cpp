@@ -11,7 +11,7 @@
 // only clouds whose group or name contains one of the PARTs.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
 // of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
-// layers: the share of a face that its main shape has, of the worst face and on average.
+// layers: the ratio of a face that its main shape has, of the worst face and on average.
 
 #include "clouds/named_clouds.h"
 #include "contestants/Contestant.h"
@@ -91,7 +91,7 @@ public:
         continue;
       const Named_cloud cloud = make_cloud(frame);
       for(int own : {0, 1}) {
-        const auto kept = kept_shares(cloud, detect(cloud, own).detection);
+        const auto kept = kept_ratios(cloud, detect(cloud, own).detection);
         const std::string key = frame.group + " " + kinds[own];
         worst[key].push_back(kept.first);
         mean[key].push_back(kept.second);
@@ -103,10 +103,10 @@ public:
     }
     std::printf("\n%-30s  worst    mean kept\n", "layers");
     for(const auto& entry : worst) {
-      const std::vector<double>& shares = mean[entry.first];
+      const std::vector<double>& ratios = mean[entry.first];
       std::printf("%-30s %6.3f %6.3f\n", entry.first.c_str(),
                   *std::min_element(entry.second.begin(), entry.second.end()),
-                  std::accumulate(shares.begin(), shares.end(), 0.) / double(shares.size()));
+                  std::accumulate(ratios.begin(), ratios.end(), 0.) / double(ratios.size()));
     }
   }
 
@@ -164,8 +164,8 @@ private:
     }
   }
 
-  // Of the faces: the least share, and that of all points.
-  static std::pair<double, double> kept_shares(const Named_cloud& cloud, const Detection& detection)
+  // Of the faces: the least ratio, and that of all points.
+  static std::pair<double, double> kept_ratios(const Named_cloud& cloud, const Detection& detection)
   {
     const Overlap overlap(cloud.truth, detection);
     double right = 0, all = 0, worst = 1;

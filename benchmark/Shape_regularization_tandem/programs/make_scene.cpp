@@ -27,8 +27,8 @@ po::options_description make_description(Request& r)
   po::options_description visible("make_scene SCENE OUTPUT.ply [options]");
   visible.add_options()("help", "this text")("points", po::value(&r.options.points)->default_value(100000),
                                              "number of points")("noise", po::value(&r.options.noise)->default_value(0),
-                                                                 "sigma of the noise, share of the diagonal")(
-    "outliers", po::value(&r.options.outliers)->default_value(0), "share of the points that lie anywhere")(
+                                                                 "sigma of the noise, fraction of the diagonal")(
+    "outliers", po::value(&r.options.outliers)->default_value(0), "ratio of the points that lie anywhere")(
     "varying-density", po::bool_switch(&r.options.varies_density), "density as seen from scanners")(
     "normals", po::value(&r.normals)->default_value("blended"), "exact, perturbed, blended, pca or none")(
     "normal-noise", po::value(&r.options.normal_noise_deg)->default_value(0), "degrees, for perturbed and blended")(

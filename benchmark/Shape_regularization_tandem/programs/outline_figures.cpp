@@ -5,7 +5,7 @@
 // polygons(). For a cloud, or for the house of the generated scenes, whose areas are known.
 //   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE [FOLDER]
 // For the shapes with most points FOLDER gets I.points and I.outline, in the plane of the shape, for gnuplot.
-//   outline_figures house [POINTS [NOISE, a share of the diagonal]]
+//   outline_figures house [POINTS [NOISE, a fraction of the diagonal]]
 
 #include "clouds/outline_cloud.h"
 #include "criteria/contour_regularization.h"
@@ -167,7 +167,7 @@ int face_of(const scenes::Scene& scene, const Outline_shapes& shapes, std::size_
 Area_errors errors_of(const scenes::Model& model, const scenes::Scene& scene, const Outline_shapes& shapes,
                       const Outline_areas& areas)
 {
-  constexpr double side = .02;
+  constexpr double width = .02;
   std::map<int, std::vector<std::size_t>> shapes_of;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     shapes_of[face_of(scene, shapes, s)].push_back(s);
@@ -188,8 +188,8 @@ Area_errors errors_of(const scenes::Model& model, const scenes::Scene& scene, co
     std::vector<std::pair<Outline_areas::Frame, std::vector<Outline_areas::Polygon_with_holes_2>>> all;
     for(std::size_t s : members)
       all.emplace_back(areas.frame(s), areas.polygons_2(s));
-    for(double x = low[0]; x < high[0]; x += side)
-      for(double y = low[1]; y < high[1]; y += side) {
+    for(double x = low[0]; x < high[0]; x += width)
+      for(double y = low[1]; y < high[1]; y += width) {
         const scenes::Vec p = add_scaled(add_scaled(origin, x, u), y, v);
         const bool is_true = model.is_on(face, p, 1e-9);
         const bool is_covered = std::any_of(all.begin(), all.end(), [&](const auto& entry) {
@@ -200,9 +200,9 @@ Area_errors errors_of(const scenes::Model& model, const scenes::Scene& scene, co
                                 [&](const auto& hole) { return !hole.has_on_unbounded_side(q); });
           });
         });
-        errors.truth += is_true ? side * side : 0;
-        errors.missing += is_true && !is_covered ? side * side : 0;
-        errors.surplus += !is_true && is_covered ? side * side : 0;
+        errors.truth += is_true ? width * width : 0;
+        errors.missing += is_true && !is_covered ? width * width : 0;
+        errors.surplus += !is_true && is_covered ? width * width : 0;
       }
   }
   return errors;

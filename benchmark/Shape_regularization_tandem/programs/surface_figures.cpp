@@ -3,7 +3,7 @@
 //
 // How good the closed surface of the planes of a cloud is.
 //   surface_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE
-//   surface_figures house [POINTS [NOISE, a share of the diagonal]]
+//   surface_figures house [POINTS [NOISE, a fraction of the diagonal]]
 
 #include "clouds/outline_cloud.h"
 #include "testing/measure.h"

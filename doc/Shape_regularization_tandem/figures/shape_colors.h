@@ -21,8 +21,8 @@ inline Color color_of_hsv(double hue, double saturation, double value)
   for(int c = 0; c < 3; ++c) {
     double h = hue * 6 + (c == 0 ? 5 : c == 1 ? 3 : 1);
     h -= 6 * std::floor(h / 6);
-    double share = (std::max)(0.0, (std::min)({h, 4 - h, 1.0}));
-    color[std::size_t(c)] = std::uint8_t(255 * value * (1 - saturation * share) + 0.5);
+    double fraction = (std::max)(0.0, (std::min)({h, 4 - h, 1.0}));
+    color[std::size_t(c)] = std::uint8_t(255 * value * (1 - saturation * fraction) + 0.5);
   }
   return color;
 }

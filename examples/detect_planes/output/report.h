@@ -48,7 +48,8 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
   return reasons;
 }
 
-// The shares of all points, and what to change. Of many free points, which nobody expects, all frequent reasons are told.
+// The ratios of all points, and what to change. Of many free points, which nobody expects, all frequent reasons are
+// told.
 inline std::string free_text(const CGAL::Tandem::Statistics& s)
 {
   std::ostringstream text;

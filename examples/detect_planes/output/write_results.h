@@ -37,8 +37,8 @@ inline Color color_of_shape(int shape)
   const double value = shape % 2 == 1 ? 0.8 : 1.0;
   const auto channel = [&](double shift) {
     const double x = std::fmod(shift + hue, 6.0);
-    const double share = (std::max)(0.0, (std::min)({x, 4 - x, 1.0}));
-    return std::uint8_t(std::lround(255 * value * (1 - saturation * share)));
+    const double fraction = (std::max)(0.0, (std::min)({x, 4 - x, 1.0}));
+    return std::uint8_t(std::lround(255 * value * (1 - saturation * fraction)));
   };
   return {channel(5), channel(3), channel(1)};
 }

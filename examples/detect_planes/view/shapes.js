@@ -84,8 +84,8 @@ class Shapes {
     if (mode === "input")
       return this.color(mode, shape);
     const [x, y, z] = this.normal(shape);
-    const share = 0.7 + 0.3 * Math.abs(0.36 * x + 0.48 * y + 0.8 * z);
-    return this.color(mode, shape).map(c => c * share);
+    const brightness = 0.7 + 0.3 * Math.abs(0.36 * x + 0.48 * y + 0.8 * z);
+    return this.color(mode, shape).map(c => c * brightness);
   }
 }
 

@@ -126,8 +126,8 @@ inline std::uint8_t distance_byte(const Shapes& shapes, const Point_set& points,
   const auto& c = shapes.coefficients(std::size_t(shape));
   const Kernel::Point_3 p = point_at(points, position);
   const double distance = std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3])));
-  const double share = distance / shapes.parameters().maximum_distance;
-  return std::uint8_t(128 + std::lround(127 * (std::max)(-1., (std::min)(share, 1.))));
+  const double fraction = distance / shapes.parameters().maximum_distance;
+  return std::uint8_t(128 + std::lround(127 * (std::max)(-1., (std::min)(fraction, 1.))));
 }
 
 using Positions = std::vector<std::uint32_t>; // in the cloud

@@ -19,7 +19,7 @@ namespace CGAL::Tandem {
 
 namespace internal {
 
-inline Regularity_parameters check_plane_options(const Parameters& p, bool has_distance)
+inline void check_plane_parameters(const Parameters& p, bool has_distance)
 {
   if(!(p.maximum_angle >= 0 && p.maximum_angle < 45))
     throw_out_of_range("maximum_angle", p.maximum_angle, "[0, 45) degrees");
@@ -28,7 +28,6 @@ inline Regularity_parameters check_plane_options(const Parameters& p, bool has_d
     check_length("maximum_distance", p.maximum_distance, smallest_length);
   check_weight("regularity", p.regularity, largest_regularity);
   check_directions(p);
-  return make_regularity_options(p, p.maximum_angle, 1, 1);
 }
 
 // The plane of each imported point.
@@ -131,7 +130,7 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
   read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
   read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
   read_directions(np, p);
-  const auto options = check_plane_options(p, Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
+  check_plane_parameters(p, Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
 
   const auto plane_map = parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
   std::vector<Coefficients> coefficients;
@@ -145,7 +144,7 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
   auto plane_of = read_plane_indices(in, parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   drop_unassigned(in, plane_of);
   const std::vector<Coefficients> given = coefficients;
-  Plane_relations result = relate_planes(backend, in, plane_of, options, coefficients);
+  Plane_relations result = relate_planes(backend, in, plane_of, p, coefficients);
   const std::vector<Vector> directions = group_directions(result.parallel_group, coefficients);
   result.fixed_direction = fixed_directions_of(directions, p);
   result.symmetry_group = symmetry_groups(directions, p);

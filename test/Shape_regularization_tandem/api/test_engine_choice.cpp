@@ -80,7 +80,7 @@ Shapes detect_with(const CGAL::Tandem::Callback& callback)
 {
   calls = 0;
   return CGAL::Tandem::detect_planes<CGAL::Tandem::Test_device_tag>(
-    cloud, maps.settings(parameters).callback([&](double share) { return ++calls == 1 || callback(share); }));
+    cloud, maps.settings(parameters).callback([&](double fraction) { return ++calls == 1 || callback(fraction); }));
 }
 
 Shapes detect_calmly()

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(test_rule)
 {
   // Uniform on a triangle-shaped distribution of +-noise: sigma = noise / sqrt(6).
   check_near(distance_of(make_points(10000, .04f)), 3 * .04 / std::sqrt(6.), .25, "of noise");
-  // Without noise it is a share of the spacing that grows with the number of points.
+  // Without noise it is a fraction of the spacing that grows with the number of points.
   for(int n : {1500, 6000})
     check_near(distance_of(make_points(n, 0)), .017 * std::pow(6.6 * n, 5. / 16) * std::sqrt(.63 / n), .3,
                "of spacing");
@@ -190,9 +190,9 @@ BOOST_AUTO_TEST_CASE(test_noise)
       CHECK_AT(ratio > 1 / most && ratio < most, std::to_string(noise_per_spacing) + ": " + std::to_string(ratio));
     };
     const std::size_t n = 15000;
-    const double side = std::sqrt(double(n)), noise = noise_per_spacing * .977;
+    const double width = std::sqrt(double(n)), noise = noise_per_spacing * .977;
     Points plane;
-    add_patch(plane, n, {{0, 0, 0}, {side, 0, 0}, {0, side, 0}}, noise, random);
+    add_patch(plane, n, {{0, 0, 0}, {width, 0, 0}, {0, width, 0}}, noise, random);
     check(plane, noise, noise_per_spacing < 5 ? 1.25 : 1.5);
     const double area = 4 * 3 + 4 * 2.5 + 3 * 2.5, of_room = noise * std::sqrt(area / double(n));
     if(noise_per_spacing < 5)

@@ -134,17 +134,17 @@ void check_kept(const Case& c, const Shapes& selected, const std::string& what, 
 
 void check_criteria(const Case& c)
 {
-  const auto share = [&](std::size_t s, std::size_t axis) { return std::fabs(c.shapes.coefficients(s)[axis]); };
+  const auto cosine = [&](std::size_t s, std::size_t axis) { return std::fabs(c.shapes.coefficients(s)[axis]); };
   const auto sine_of = [](double degrees) { return std::sin(degrees * CGAL_PI / 180); };
   const Kernel::Vector_3 upward(0, 0, -7);
   check_kept(c, select_shapes(c.shapes, c.cloud, positions.near_direction(upward)), "level",
-             [&](std::size_t s) { return share(s, 2) >= sine_of(80); });
+             [&](std::size_t s) { return cosine(s, 2) >= sine_of(80); });
   check_kept(c, select_shapes(c.shapes, c.cloud, positions.orthogonal_direction(upward)), "walls",
-             [&](std::size_t s) { return share(s, 2) <= sine_of(10); });
+             [&](std::size_t s) { return cosine(s, 2) <= sine_of(10); });
   // Of either sign, within an angle of one direction and of a right angle to another one.
   const Criteria facing = {{-1, 0, 0}, {0, 0, 1}, 40};
   check_kept(c, facing.select(c.shapes, c.cloud), "facing x",
-             [&](std::size_t s) { return share(s, 0) >= sine_of(50) && share(s, 2) <= sine_of(40); });
+             [&](std::size_t s) { return cosine(s, 0) >= sine_of(50) && cosine(s, 2) <= sine_of(40); });
   const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(c.shapes, c.cloud, positions);
   const double area = facts[2].area, length = facts[1].length;
   for(const auto& [a, e] : std::vector<std::pair<double, double>>{{area, 0}, {0, length}, {area, length}})

@@ -26,10 +26,10 @@ struct Result {
 // are. Areas are those of the triangles, and, by their frames, those of the flat polygons.
 BOOST_AUTO_TEST_CASE(test_frames)
 {
-  for(const double side : {1, -1}) {
+  for(const double sign : {1, -1}) {
     Result r = {make_box(400)};
     for(auto& item : r.cloud)
-      item.second = side * item.second;
+      item.second = sign * item.second;
     r.shapes = detect(r.cloud, make_parameters(.02, 50));
     const auto areas = r.areas();
     const auto& p = areas.points();

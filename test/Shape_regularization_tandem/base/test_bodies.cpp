@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(packed_normals)
     const scenes::Vec n = random.direction();
     check_packing({n.x, n.y, n.z});
     check_packing({n.x * 1e-30, n.y * 1e-30, n.z * 1e-30}); // any length
-    check_packing({n.x, n.y, n.z * 1e-7});                  // at the seam
+    check_packing({n.x, n.y, n.z * 1e-7});                  // at the border
   }
   for(int x = -3; x <= 3; ++x)
     for(int y = -3; y <= 3; ++y)

@@ -32,9 +32,9 @@ constexpr std::uint32_t end_of_curve = 1u << curve_bits;
 void check_cube(Random& random, int bits, int level)
 {
   const auto below = [&](std::uint32_t n) { return std::uint32_t(random.bits() % n); };
-  const std::uint32_t side = 1u << bits, cubes = end_of_curve >> (bits + level);
+  const std::uint32_t width = 1u << bits, cubes = end_of_curve >> (bits + level);
   const std::size_t count = std::size_t(1) << (3 * bits);
-  const Position corner = {side * below(cubes), side * below(cubes), side * below(cubes)}; // in octants
+  const Position corner = {width * below(cubes), width * below(cubes), width * below(cubes)}; // in octants
   const auto code = [&](const Position& p) {
     const auto at = [&](int axis) { return p[std::size_t(axis)] << level | below(1u << level); };
     return hilbert_code(at(0), at(1), at(2)) >> (3 * level);
@@ -44,7 +44,7 @@ void check_cube(Random& random, int bits, int level)
   std::vector<Position> at(count);
   std::vector<char> seen(count, 0);
   for(std::uint32_t i = 0; i < count; ++i) {
-    const Position p = {corner[0] + (i & (side - 1)), corner[1] + (i >> bits & (side - 1)),
+    const Position p = {corner[0] + (i & (width - 1)), corner[1] + (i >> bits & (width - 1)),
                         corner[2] + (i >> 2 * bits)};
     const std::uint64_t offset = code(p) - first;
     CHECK_AT(offset < count && !seen[offset], where + ": code used twice, or outside of the range of its cube");
@@ -125,7 +125,7 @@ std::array<int, 2> check_rows(Backend& backend, const std::string& name, const F
   points.cloud.ghosts = f.point.size() - own;
   const Block_rows<Backend> blocks(backend, points.cloud);
   const std::vector<Block_row> row = to_vector(backend, blocks.row);
-  const std::vector<Block_entries> entries = to_vector(backend, blocks.of_point);
+  const std::vector<Block_entries> entries = to_vector(backend, blocks.of_surfel);
   check_equal(entries.size(), std::size_t(own), name + ": number of points");
   check_equal(row.size(), std::size_t((own + 63) / 64), name + ": number of blocks");
   std::vector<Blocks> expected(row.size());

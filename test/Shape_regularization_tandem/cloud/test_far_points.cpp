@@ -26,10 +26,10 @@ BOOST_AUTO_TEST_CASE(quantiles)
       values.push_back(i % 4 == 0 ? std::round(4 * random.gaussian()) : std::ldexp(random.gaussian(), int(i)));
     std::vector<double> sorted = values;
     std::sort(sorted.begin(), sorted.end());
-    for(const tuning::Ratio& share : {tuning::Ratio{1, 2}, tuning::Ratio{99, 100}, tuning::Ratio{0, 1}})
+    for(const tuning::Ratio& ratio : {tuning::Ratio{1, 2}, tuning::Ratio{99, 100}, tuning::Ratio{0, 1}})
       check_equal(quantile_of_all(
-                    ranks, n, [&](std::size_t i) { return values[i]; }, share),
-                  sorted[std::size_t(share.of(std::int64_t(n)))], std::to_string(n) + " values");
+                    ranks, n, [&](std::size_t i) { return values[i]; }, ratio),
+                  sorted[std::size_t(ratio.of(std::int64_t(n)))], std::to_string(n) + " values");
   }
 }
 

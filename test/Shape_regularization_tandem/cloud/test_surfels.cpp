@@ -35,7 +35,7 @@ struct Case {
 
   std::string text() const
   {
-    return "edge " + std::to_string(cells.edge) + ", " + std::to_string(cells.octaves) + " octaves" +
+    return "width " + std::to_string(cells.width_steps) + ", " + std::to_string(cells.octaves) + " octaves" +
            (has_normals ? "" : ", no normals");
   }
 };
@@ -66,14 +66,14 @@ Leveled_points random_points(const Case& c)
   return p;
 }
 
-// Heaps of points of one side and nearly one tolerance, many across the borders of cubes.
-Leveled_points random_heaps(std::size_t heaps, const Surfel_cells& surfels, int width, std::uint64_t seed)
+// Clusters of points of one face and nearly one tolerance, many across the borders of cubes.
+Leveled_points random_clusters(std::size_t clusters, const Surfel_cells& surfels, int width, std::uint64_t seed)
 {
   scenes::Random random(seed);
   Leveled_points p = random_points({surfels, width, 0, true});
-  for(std::size_t heap = 0; heap < heaps; ++heap) {
-    const int octave = int(heap) % (surfels.octaves + 1);
-    const double radius = std::ldexp(surfels.edge, -octave) / 4;
+  for(std::size_t cluster = 0; cluster < clusters; ++cluster) {
+    const int octave = int(cluster) % (surfels.octaves + 1);
+    const double radius = std::ldexp(surfels.width_steps, -octave) / 4;
     const auto at = [&](std::int32_t from) { return from + radius + random.uniform() * (width - 2 * radius); };
     const double x = at(p.low.x), y = at(p.low.y), z = at(p.low.z);
     const scenes::Vec d = random.direction();
@@ -91,7 +91,7 @@ Leveled_points random_heaps(std::size_t heaps, const Surfel_cells& surfels, int 
 int naive_octave(std::uint8_t level, int octaves) { return (std::min)(int(std::ceil(level / 8.)), octaves); }
 
 // The axis and sign of the largest component of the normal.
-int naive_side(const Grid_point& p)
+int naive_face(const Grid_point& p)
 {
   const Int_vector n = decode_normal(p.normal);
   const int v[] = {n.x, n.y, n.z};
@@ -102,10 +102,10 @@ int naive_side(const Grid_point& p)
 // x, y, z of the cube of an octave.
 using Cube = std::array<std::int64_t, 3>;
 
-Cube cube_of(const Grid_point& p, const Grid_point& low, double edge, int octave)
+Cube cube_of(const Grid_point& p, const Grid_point& low, double width, int octave)
 {
   const auto at = [&](std::int32_t v, std::int32_t from) {
-    return std::int64_t(std::floor((double(v) - from) * (1 / edge) * std::pow(2, octave)));
+    return std::int64_t(std::floor((double(v) - from) * (1 / width) * std::pow(2, octave)));
   };
   return {at(p.x, low.x), at(p.y, low.y), at(p.z, low.z)};
 }
@@ -136,14 +136,14 @@ struct Surfel_cloud {
   }
 };
 
-// The surfels that points have: for each octave, cube and side.
+// The surfels that points have: for each octave, cube and face.
 using Key = std::array<std::int64_t, 5>;
 
 Key key_of(const Grid_point& p, std::uint8_t level, const Grid_point& low, const Surfel_cells& cells)
 {
   const int octave = naive_octave(level, cells.octaves);
-  const Cube cube = cube_of(p, low, cells.edge, octave);
-  return {octave, cube[0], cube[1], cube[2], naive_side(p)};
+  const Cube cube = cube_of(p, low, cells.width_steps, octave);
+  return {octave, cube[0], cube[1], cube[2], naive_face(p)};
 }
 
 // Its points are those of its key, it is at their mean, with the mean of their normals and the level of the smallest
@@ -165,7 +165,7 @@ void check_surfel(Surfel_cloud<Backend>& s, std::uint32_t i, const Leveled_point
     const std::uint8_t level = p.level[order[q]];
     CHECK_AT(surfels.of_point(q) == i, name + ": surfel of a point");
     CHECK_AT(surfels.level_of_point(q) == level, name + ": level of a point");
-    CHECK_AT(key_of(point, level, p.low, cells) == key, name + ": points of one octave, cube and side");
+    CHECK_AT(key_of(point, level, p.low, cells) == key, name + ": points of one octave, cube and face");
     CHECK_AT(std::memcmp(&surfels.point[q], &point, sizeof point) == 0, name + ": order of the points");
     const Int_vector v = decode_normal(point.normal);
     sum = sum + Vector{double(point.x), double(point.y), double(point.z)};
@@ -222,23 +222,23 @@ BOOST_AUTO_TEST_CASE(surfels_of_cubes)
   }
 }
 
-// Surfels join the heaviest neighbor of the same octave and side that is nearer to all points of both than its edge.
+// Surfels join the heaviest neighbor of the same octave and face that is nearer to all points of both than its width.
 std::uint32_t naive_target(const Cloud_view& cloud, const Surfel_cells& cells, std::uint32_t i, const Range& cell)
 {
   const int octave = naive_octave(cloud.level_of(i), cells.octaves);
-  const double edge = std::floor(std::floor(cells.edge) / std::pow(2, octave));
+  const double width = std::floor(std::floor(cells.width_steps) / std::pow(2, octave));
   std::uint32_t best = i;
   const auto size = [&](std::uint32_t s) { return cloud.surfels.points(s).size(); };
   for(const std::uint32_t* q = cloud.row(i); q != cloud.row(i) + cloud.k && *q != no_index; ++q) {
     const std::uint32_t j = *q;
     if(j < cell.first || j >= cell.last || naive_octave(cloud.level_of(j), cells.octaves) != octave ||
-       naive_side(cloud.point[j]) != naive_side(cloud.point[i]))
+       naive_face(cloud.point[j]) != naive_face(cloud.point[i]))
       continue;
     bool are_near = true;
     for(const std::uint32_t s : {i, j})
       for(std::uint32_t p = cloud.surfels.points(s).first; p < cloud.surfels.points(s).last; ++p) {
         const Grid_point &a = cloud.surfels.point[p], &b = cloud.point[j];
-        are_near = are_near && std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z) < edge;
+        are_near = are_near && std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z) < width;
       }
     if(are_near && (size(j) > size(best) || (size(j) == size(best) && j < best)))
       best = j;
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(targets_of_joins)
 {
   const int octaves = 3;
   const Surfel_cells surfels = {1000.7, octaves};
-  const Leveled_points p = random_heaps(400, surfels, 9000, 8);
+  const Leveled_points p = random_clusters(400, surfels, 9000, 8);
   on_body_backends([&](auto backend, const std::string& name) {
     Surfel_cloud<decltype(backend)> s(backend, p, surfels, 300);
     const std::uint32_t size = std::uint32_t(s.cloud.number_of_surfels());

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(test_known_scenes)
 }
 
 // Nothing planar: no plane is made up. (Estimated
-// normals of a volume whose spacing, here .04, is that of a slab of two epsilons do make planes.)
+// normals of a volume whose spacing, here .04, is that of a layer of two epsilons do make planes.)
 BOOST_AUTO_TEST_CASE(test_without_planes)
 {
   const Cloud noise = to_cloud(scenes::make_scene("noise", scene_options(15000)));
@@ -139,13 +139,13 @@ struct Wall {
   const char* name;
   std::size_t sides;
   double gap, noise;
-  double turned; // share of wrong normals
+  double turned; // ratio of wrong normals
   double epsilon, coverage;
   std::size_t points = 2000; // of a side
 };
 
-// A wall that was scanned on both sides, with normals to either side, is two shapes, also where both are closer than
-// the points of one. Normals of random sides have none, and some wrong ones among them do no harm.
+// A wall that was scanned on both sides, with normals to either one, is two shapes, also where both are closer than
+// the points of one. Normals of random orientation have no wall side, and some wrong ones among them do no harm.
 void check_wall(const Wall& wall, std::uint64_t seed)
 {
   scenes::Random random(seed);
@@ -172,14 +172,14 @@ BOOST_AUTO_TEST_CASE(test_thin_walls)
 {
   for(const Wall& wall : {Wall{"closer than the spacing", 2, .04, .004, 0, .01, .95},
                           {"far apart", 2, .12, .005, 0, .015, .97},
-                          {"with some wrong sides", 2, .04, .004, .06, .01, .85},
+                          {"with some wrong normals", 2, .04, .004, .06, .01, .85},
                           {"one side", 1, 0, .004, 0, .015, .97},
-                          {"random sides", 1, 0, .004, .5, .015, .97},
-                          {"some wrong sides", 1, 0, .004, .05, .015, .97}})
+                          {"random orientations", 1, 0, .004, .5, .015, .97},
+                          {"some wrong normals", 1, 0, .004, .05, .015, .97}})
     for(std::uint64_t seed = 1; seed <= 3; ++seed)
       check_wall(wall, seed);
   // Some 30 points are one surfel, beside one of those whose normals are wrong.
-  check_wall({"dense, with some wrong sides", 2, .35, .02, .03, .2, .96, 60000}, 7);
+  check_wall({"dense, with some wrong normals", 2, .35, .02, .03, .2, .96, 60000}, 7);
 }
 // The counterpart of CGAL's own test_plane_regularization, where "changed" is only printed: two unit squares of 5000
 // points, `degrees` apart.

@@ -39,7 +39,7 @@ void check_same_labels(const Shapes& a, const Shapes& b, const std::string& name
   CHECK_AT(a.data().coplanar_group == b.data().coplanar_group, name);
 }
 
-// Given normals may have any side and length. The opposite ones have the same planes.
+// Given normals may have any orientation and length. The opposite ones have the same planes.
 void check_flipped_normals(const std::string& name, Cloud cloud, const Parameters& parameters, const Shapes& expected)
 {
   Random random(1);
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(test_turned_tiles)
 }
 
 // Copies of points are what one of them is: the planes of the scene, three walls of a room, 4 by 3 by 2.5, whatever the
-// number of copies is. A heap of all points of a dead sensor beside it changes nothing.
+// number of copies is. A cluster of all points of a dead sensor beside it changes nothing.
 BOOST_AUTO_TEST_CASE(test_copies)
 {
   Random random(1);

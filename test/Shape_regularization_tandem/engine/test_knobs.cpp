@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(test_bent_floor)
 }
 
 // Whatever the period of the alternation is, the result is valid and regularized; 1 is the method. Between two
-// regularity steps no shapes are tied: seen from outside, round by round.
+// regularity steps no shapes are related: seen from outside, round by round.
 BOOST_AUTO_TEST_CASE(test_periods)
 {
   check_equal(Parameters().regularity_period, 1u, "period");
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(test_periods)
     cloud, np::settings(p).point_map(First<Kernel>()).normal_map(Second<Kernel>()));
   for(int round = 1; round <= 6 && detection.iterate(); ++round) {
     const Shapes shapes = detection.shapes();
-    // Parts of one shape share their plane; shapes that are tied share directions between planes.
+    // Parts of one shape share their plane; shapes that are related share directions between planes.
     const bool is_tied = shapes.number_of_parallel_groups() < shapes.number_of_coplanar_groups();
     CHECK_AT(is_tied == (round % 3 == 0), "round " + std::to_string(round));
   }

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(test_faces_of_late_seeds)
   faces.low = 1;
   faces.high = 2;
   patches.points = 13;
-  patches.side = .03;
+  patches.width = .03;
   patches.high = 3;
   check_faces_behind_patches(faces, patches, 5000, 8192);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What detections end with. Relations must not lose faces of hardly more than the minimum size. Planes lie in the
-// middle of their points. Planes through clutter are no shapes: see drop_slabs() in result/extract_shapes.h.
+// What detections end with. Relations must not drop faces of hardly more than the minimum size. Planes lie in the
+// middle of their points. Planes through clutter are no shapes: see drop_clutter_shapes() in result/extract_shapes.h.
 
 #include "testing/body_fixture.h"
 
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
 
 // Near neighbors and all, by shape; of the labels, and where many shapes have two slots. Eleven of twenty near ones
 // suffice.
-BOOST_AUTO_TEST_CASE(neighbors_of_slabs)
+BOOST_AUTO_TEST_CASE(neighbors_of_clutter_shapes)
 {
   on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
     for(std::uint32_t factor : {1u, Neighbor_scratch::slots / 2}) {
@@ -69,16 +69,16 @@ BOOST_AUTO_TEST_CASE(neighbors_of_slabs)
       for(std::uint32_t& s : label)
         s = s < first_mark ? s * factor : s;
       std::vector<Plane> plane;
-      std::vector<std::uint8_t> is_crisp;
+      std::vector<std::uint8_t> is_low_noise;
       for(std::uint32_t s = 0; s < f.plane.size() * factor; ++s) {
         plane.push_back(f.plane[s % f.plane.size()]);
-        is_crisp.push_back(s / 2 % 2);
+        is_low_noise.push_back(s / 2 % 2);
       }
       std::vector<std::uint64_t> counts(plane.size() * neighbor_counts::size, 0), expected = counts;
       for(std::uint32_t i = 0; i < f.cloud.size; ++i)
         if(label[i] < first_mark)
           f.for_each_neighbor(i, [&](std::uint32_t q) {
-            if(label[q] < first_mark && label[q] != label[i] && is_crisp[label[q]])
+            if(label[q] < first_mark && label[q] != label[i] && is_low_noise[label[q]])
               return;
             std::uint64_t* const c = expected.data() + std::size_t(label[i]) * neighbor_counts::size;
             ++c[neighbor_counts::all];
@@ -87,20 +87,20 @@ BOOST_AUTO_TEST_CASE(neighbors_of_slabs)
           });
       backend.template for_each_cell<Neighbor_scratch>(
         f.cells.size(), Count_neighbors<decltype(backend)>{f.cloud, f.cells.data(), label.data(), plane.data(),
-                                                           is_crisp.data(), counts.data(), f.tolerance});
+                                                           is_low_noise.data(), counts.data(), f.tolerance});
       check_lists(counts, expected, name);
     }
   });
   for(std::uint64_t all : {20u, 1000u, 4000000000u})
     for(std::uint64_t near : {all * 11 / 20 - 1, all * 11 / 20, all}) {
       const std::uint64_t counts[] = {near, all};
-      check_equal(is_slab(counts), 20 * near < 11 * all, std::to_string(near) + " near ones of " + std::to_string(all));
+      check_equal(is_clutter(counts), 20 * near < 11 * all, std::to_string(near) + " near of " + std::to_string(all));
     }
 }
 
-// A cube of points at random, with normals along an axis, and a face through it. Every slab of the cube, 25 of them,
+// A cube of points at random, with normals along an axis, and a face through it. Every layer of the cube, 25 of them,
 // has enough points for a shape; most are dropped.
-BOOST_AUTO_TEST_CASE(slabs)
+BOOST_AUTO_TEST_CASE(clutter_shapes)
 {
   const std::size_t on_face = 10000, in_cube = 20000;
   Cloud cloud;
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(slabs)
     const double z = i < on_face ? .5 + .2 * epsilon * random.gaussian() : random.uniform();
     cloud.emplace_back(Kernel::Point_3(random.uniform(), random.uniform(), z), Kernel::Vector_3(0, 0, 1));
   }
-  const Shapes shapes = detect_valid("slabs", cloud, make_parameters(epsilon, 200));
+  const Shapes shapes = detect_valid("clutter shapes", cloud, make_parameters(epsilon, 200));
   CHECK(shapes.number_of_shapes() <= 12);
   CHECK_AT(shapes.size(0) > on_face * 9 / 10, std::to_string(shapes.size(0)) + " points of the face");
 }

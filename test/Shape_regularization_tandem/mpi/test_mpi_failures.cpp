@@ -276,8 +276,8 @@ void test_cancellation(const Ranks& ranks, int stride)
 // mpirun ends the others, so none of them writes.
 void be_killed(const Ranks& ranks)
 {
-  failure_with_callback(ranks, ranks.size() - 1, [](double share) {
-    if(CGAL::Tandem::stage_at(share) == CGAL::Tandem::Detection_stage::rounds)
+  failure_with_callback(ranks, ranks.size() - 1, [](double fraction) {
+    if(CGAL::Tandem::stage_at(fraction) == CGAL::Tandem::Detection_stage::rounds)
       std::raise(SIGKILL);
     return true;
   });

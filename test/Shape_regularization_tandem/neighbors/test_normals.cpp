@@ -29,11 +29,11 @@ std::vector<Grid_point> sorted(const std::vector<Grid_point>& points, std::vecto
   return f.point;
 }
 
-// The noisy sides of a turned box, and clutter around it.
+// The noisy faces of a turned box, and clutter around it.
 struct Box_cloud {
   std::vector<Grid_point> points;
-  std::vector<int> face;      // axis of its normal; of clutter, that of the nearest side that it is over
-  std::vector<double> height; // of clutter over that side, -1 for the points of a side
+  std::vector<int> face;      // axis of its normal; of clutter, that of the nearest face that it is over
+  std::vector<double> height; // of clutter over that face, -1 for the points of a face
 
   Box_cloud(std::size_t size, double clutter, double sigma)
   {
@@ -50,12 +50,12 @@ struct Box_cloud {
       face.push_back(scene.label[i] / 2);
       height.push_back(scene.label[i] < 0 ? 1e9 : -1);
       if(scene.label[i] < 0)
-        find_side(scene.points[i]);
+        find_face(scene.points[i]);
     }
   }
 
 private:
-  void find_side(const Vec& p)
+  void find_face(const Vec& p)
   {
     const double c[3] = {dot(p, frame.x), dot(p, frame.y), dot(p, frame.z)},
                  size[] = {box_size.x, box_size.y, box_size.z};
@@ -90,8 +90,8 @@ double cosine(const Grid_point& p, int axis)
   return length(v) > 0 ? std::fabs(dot(v, t)) / length(v) : 0;
 }
 
-// The share of points with normals within the angle of their face's, of those between two heights over it.
-double good_share(const Box_cloud& box, const std::vector<Grid_point>& points, double minimum_cosine, double low = -1,
+// The ratio of points with normals within the angle of their face's, of those between two heights over it.
+double good_ratio(const Box_cloud& box, const std::vector<Grid_point>& points, double minimum_cosine, double low = -1,
                   double high = 0)
 {
   double all = 0, good = 0;
@@ -103,17 +103,17 @@ double good_share(const Box_cloud& box, const std::vector<Grid_point>& points, d
   return good / all;
 }
 
-// Shares of normals that are within 25 and 10 degrees.
+// Ratios of normals that are within 25 and 10 degrees.
 BOOST_AUTO_TEST_CASE(quality)
 {
-  for(const auto& [size, share, sigma, minimum_25, minimum_10] :
+  for(const auto& [size, ratio, sigma, minimum_25, minimum_10] :
       {std::make_tuple(20000, 0., 0., .99, .99), std::make_tuple(22000, .1, 64., .98, .98),
        std::make_tuple(50000, .2, 300., .95, .94)}) {
-    const Box_cloud box(std::size_t(size), share, sigma);
+    const Box_cloud box(std::size_t(size), ratio, sigma);
     const std::vector<Grid_point> points = with_normals(box.points);
-    const double share_25 = good_share(box, points, cos_25), share_10 = good_share(box, points, cos_10);
-    CHECK_AT(share_25 >= minimum_25 && share_10 >= minimum_10,
-             std::to_string(share_25) + " and " + std::to_string(share_10) + " of the normals are good");
+    const double ratio_25 = good_ratio(box, points, cos_25), ratio_10 = good_ratio(box, points, cos_10);
+    CHECK_AT(ratio_25 >= minimum_25 && ratio_10 >= minimum_10,
+             std::to_string(ratio_25) + " and " + std::to_string(ratio_10) + " of the normals are good");
   }
 }
 
@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(clutter)
   const double sigma = 256;
   const Box_cloud box(90000, .67, sigma);
   const std::vector<Grid_point> points = with_normals(box.points);
-  const double outside = good_share(box, points, cos_25, 3.5 * sigma, 7 * sigma),
-               good = good_share(box, points, cos_25);
+  const double outside = good_ratio(box, points, cos_25, 3.5 * sigma, 7 * sigma),
+               good = good_ratio(box, points, cos_25);
   CHECK_AT(outside < .25 && good > .93, std::to_string(outside) + " of clutter, " + std::to_string(good) + " of faces");
 }
 

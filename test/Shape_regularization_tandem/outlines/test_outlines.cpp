@@ -156,12 +156,12 @@ BOOST_AUTO_TEST_CASE(facade)
 // --- Shapes without directions of others
 
 // Turned about the vertical axis.
-void add_square(Cloud& cloud, const Vec& corner, double side, double angle)
+void add_square(Cloud& cloud, const Vec& corner, double width, double angle)
 {
   scenes::Random random{11};
   const double c = std::cos(angle), s = std::sin(angle);
-  for(double i = 0; i < 100 * side * side; ++i) {
-    const double u = side * random.uniform(), v = side * random.uniform();
+  for(double i = 0; i < 100 * width * width; ++i) {
+    const double u = width * random.uniform(), v = width * random.uniform();
     add(cloud, corner + Vec{c * u - s * v, s * u + c * v, .005 * random.gaussian()}, {0, 0, 1});
   }
 }
@@ -177,15 +177,15 @@ std::vector<Kernel::Vector_3> edges_of(const Areas& areas, std::size_t s)
 BOOST_AUTO_TEST_CASE(squares)
 {
   struct Second {
-    double side, x, turn; // no side: there is none
+    double width, x, turn; // no width: there is none
   };
   for(double angle : {0., .2, .7})
     for(const Second& second : {Second{0, 0, 0}, Second{8, 20, 0}, Second{8, 30, .5}}) {
       Cloud cloud;
       add_square(cloud, {0, 0, 0}, 10, angle);
-      add_square(cloud, {second.x, 0, 3}, second.side, angle + second.turn);
+      add_square(cloud, {second.x, 0, 3}, second.width, angle + second.turn);
       const Areas areas = areas_of(cloud);
-      CHECK(areas.number_of_entries() == (second.side > 0 ? 2 : 1));
+      CHECK(areas.number_of_entries() == (second.width > 0 ? 2 : 1));
       double sum = 0;
       for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
         sum += areas.area(s);
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(squares)
         for(const Kernel::Vector_3& e : edges) // squares that are not turned have one direction
           CHECK(sine_to(e, edges_of(areas, second.turn == 0 ? 0 : s)[0]) < 1e-9);
       }
-      check_close(sum / (100 + second.side * second.side), 1, .03, "area");
+      check_close(sum / (100 + second.width * second.width), 1, .03, "area");
     }
 }
 

@@ -120,8 +120,8 @@ BOOST_AUTO_TEST_CASE(random_scenes)
     } catch(const CGAL::Tandem::Parameter_error&) {
     } // too wide: test_properties
   }
-  // Far from the origin, where coordinates are rounded to a share of the spacing, outlines that would not be simple with
-  // the vertices of others do without them.
+  // Far from the origin, where coordinates are rounded to a fraction of the spacing, outlines that would not be simple
+  // with the vertices of others do without them.
   CHECK(count < 40 || double(totals.common_edges) >= .97 * double(totals.overlaps));
   CHECK(count < 40 || totals.common_edges > 10);
 }

@@ -83,9 +83,9 @@ class Browser {
     }, point);
   }
 
-  // The share of the pixels of a region, [left, top, width, height], that have a color: red, green and blue from 0 to 1.
+  // The ratio of the pixels of a region, [left, top, width, height], that have a color: red, green, blue from 0 to 1.
   // The picture is drawn again, as its pixels are gone after the task.
-  share(region, color) {
+  ratio(region, color) {
     return this.tab.evaluate(([[left, top, width, height], color]) => {
       page.cloud.render();
       const gl = page.cloud.renderer.getContext(), bytes = new Uint8Array(4 * width * height);
@@ -97,19 +97,19 @@ class Browser {
     }, [region, color]);
   }
 
-  async shareOf(region, shape) {
-    return this.share(region, await (shape === nothing ? this.state("page.cloud.uniforms.background.value.toArray()") :
+  async ratioOf(region, shape) {
+    return this.ratio(region, await (shape === nothing ? this.state("page.cloud.uniforms.background.value.toArray()") :
                                      this.tab.evaluate(s => page.shapes.litColor(page.mode, s), shape)));
   }
 
-  // The share of a shape, or of nothing, in a region is from low to high.
-  async expectShare(region, shape, low, high, when) {
-    const share = await this.shareOf(region, shape);
-    this.expect(share >= low && share <= high, `${when}: the share of ${shape} is ${share}`);
+  // The ratio of a shape, or of nothing, in a region is from low to high.
+  async expectRatio(region, shape, low, high, when) {
+    const ratio = await this.ratioOf(region, shape);
+    this.expect(ratio >= low && ratio <= high, `${when}: the ratio of ${shape} is ${ratio}`);
   }
 
-  async shows(region, shape, when) { await this.expectShare(region, shape, 0.95, 1, when); }
-  async hides(region, shape, when) { await this.expectShare(region, shape, 0, 0, when); }
+  async shows(region, shape, when) { await this.expectRatio(region, shape, 0.95, 1, when); }
+  async hides(region, shape, when) { await this.expectRatio(region, shape, 0, 0, when); }
 
   // The shape of a face of the room: its normal is along the axis, and it is at this height from the center.
   shapeAt(axis, height) {
@@ -150,7 +150,7 @@ const tests = {
     // The board is behind a wall and has its visible side in the room.
     await b.open("unassigned=0&size=8&shape=" + board);
     const region = square([330, 350], 60);
-    await b.expectShare(region, board, 0, 0.9, "before anyone goes there");
+    await b.expectRatio(region, board, 0, 0.9, "before anyone goes there");
     await b.click(b.button("go there"));
     b.expect((await b.camera())[1] < 1700, "the viewer is behind the board: " + await b.camera());
     await b.shows(region, board, "after going there");
@@ -187,19 +187,19 @@ const tests = {
   async layers(b) {
     const { ceiling, selected, middle } = await above(b, "unassigned=0&elevation=60&size=-20");
     const region = square(middle, 60), edge = square(await b.place([3, 0, 1.5]), 24);
-    await b.expectShare(region, ceiling, 0.005, 0.5, "of small points");
+    await b.expectRatio(region, ceiling, 0.005, 0.5, "of small points");
     await b.click("#layer-surface");
     await b.expectState("page.cloud.layers.shown()", ["points", "surface"]);
     await b.click("#layer-points");
-    await b.expectShare(region, ceiling, 0.98, 1, "of the surface, which has no gaps");
+    await b.expectRatio(region, ceiling, 0.98, 1, "of the surface, which has no gaps");
     await b.clickAt(middle);
     await b.expectState("page.selection", selected);
     await b.press("Escape");
     await b.click("#layer-surface");
     await b.shows(region, nothing, "without layers");
     await b.click("#layer-outlines");
-    await b.expectShare(region, ceiling, 0, 0.05, "inside of its outline");
-    await b.expectShare(edge, nothing, 0.5, 0.95, "beside the outline");
+    await b.expectRatio(region, ceiling, 0, 0.05, "inside of its outline");
+    await b.expectRatio(edge, nothing, 0.5, 0.95, "beside the outline");
     await b.expectAddress("layers=outlines");
     await b.press("o");
     await b.press("p");
@@ -208,25 +208,25 @@ const tests = {
     // Colors of the input, of points and as a mean of surfaces.
     await b.click("#color-input");
     const color = [200 / 255, 180 / 255, 80 / 255]; // of the ceiling, in test_browser.py
-    b.expect(await b.share(region, color) > 0.005, "no point has the color of the input");
+    b.expect(await b.ratio(region, color) > 0.005, "no point has the color of the input");
     await b.click("#layer-surface");
     await b.click("#layer-points");
-    b.expect(await b.share(region, color) > 0.98, "the surface does not have the color of the input");
+    b.expect(await b.ratio(region, color) > 0.98, "the surface does not have the color of the input");
     await b.expectAddress("color=input");
     await b.click("#color-plane");
-    b.expect(await b.share(region, color) < 0.01, "the colors stay");
+    b.expect(await b.ratio(region, color) < 0.01, "the colors stay");
   },
 
   // The box and the slice: the room is looked into, and what is clipped cannot be clicked on.
   async clip(b) {
     const { ceiling, floor, region } = await above(b);
-    // The handle of a slider, to a share of its length
-    const slide = async (id, share) => {
+    // The handle of a slider, to a fraction of its length
+    const slide = async (id, ratio) => {
       const slider = b.tab.locator(id);
       await slider.scrollIntoViewIfNeeded();
       const box = await slider.boundingBox();
       const value = Number(await slider.inputValue()) / Number(await slider.getAttribute("max"));
-      await b.drag(...[value, share].map(part => [box.x + 8 + part * (box.width - 16), box.y + box.height / 2]));
+      await b.drag(...[value, ratio].map(part => [box.x + 8 + part * (box.width - 16), box.y + box.height / 2]));
     };
     await b.click("#clip summary");
     await slide("#clip-z1", 0.7);
@@ -329,11 +329,11 @@ const tests = {
              `the length of the line is ${length}, its label ${label}`);
     await b.expectState("page.selection", null);
     const line = square(await b.place([-0.25, 0, -1.5]), 30), red = [229 / 255, 67 / 255, 45 / 255];
-    b.expect(await b.share(line, red) > 0.01, "no line is drawn");
+    b.expect(await b.ratio(line, red) > 0.01, "no line is drawn");
     b.expect((await b.tab.textContent("#measurement")).includes("Distance" + label), "the panel has another distance");
     await b.press("Escape");
     await b.expectState("[page.measure.isOn, byId('label').hidden]", [false, true]);
-    b.equal(await b.share(line, red), 0, "the share of the line after Escape");
+    b.equal(await b.ratio(line, red), 0, "the ratio of the line after Escape");
 
     const save = async button => {
       const [download] = await Promise.all([b.tab.waitForEvent("download"), b.tab.click(button)]);
@@ -360,13 +360,13 @@ const tests = {
     await b.click("#theme");
     await b.clickAt([330, 300]);
     const region = square([330, 350], 200), selection = await b.state("page.selection"), camera = await b.camera();
-    const share = await b.shareOf(region, selection.index), address = await b.address();
+    const ratio = await b.ratioOf(region, selection.index), address = await b.address();
     b.expect(!address.includes("elevation"), "the address has two cameras: " + address);
     await b.expectAddress("theme=dark");
     await b.open(address.replace(/theme=[a-z]+&?/, "") + "&theme=dark");
     b.equal([await b.state("page.selection"), await b.state("page.mode"), await b.camera()],
             [selection, "plane", camera], "selection, colors and camera of the link");
-    await b.expectShare(region, selection.index, Math.max(0.1, share - 0.02), share + 0.02, "with the link");
+    await b.expectRatio(region, selection.index, Math.max(0.1, ratio - 0.02), ratio + 0.02, "with the link");
   },
 
   // The WebGL context is lost, and returns: what the user does meanwhile is seen then, as if it had never been away.

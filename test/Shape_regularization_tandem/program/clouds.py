@@ -171,13 +171,13 @@ def pcd_of_each_kind(points):
 # --- A hall of floor, walls and roof in several files and formats
 
 OPTIONS = "--maximum-distance 0.01 --minimum-region-size 100"
-TILES = ["corner.pts", "folder/Middle.XYZ", "folder/sub/seam.csv", "last.las"]
-OUTPUTS = ["corner.ply", "Middle.XYZ", "seam.csv", "last.las"]
+TILES = ["corner.pts", "folder/Middle.XYZ", "folder/sub/border.csv", "last.las"]
+OUTPUTS = ["corner.ply", "Middle.XYZ", "border.csv", "last.las"]
 MEMBERS = r'"(input|hash|source|minimum|maximum|ignored_zeros|maximum_distance|points|assigned|shapes|planes|mean_distance|.*groups|.*pairs)":'
 
 
 def hall():
-    """By tiles, which seams at x = 1, 4 and 5 cut"""
+    """By tiles, which borders at x = 1, 4 and 5 cut"""
     i, j = (a.ravel() for a in np.mgrid[:80, :30])
     x, zero = i / 10 + .02, np.zeros(len(i))
     points = np.stack([np.stack(face, axis=1) for face in (
@@ -188,9 +188,9 @@ def hall():
 
 
 def write_tiles(p):
-    corner, middle, seam, last = ("".join("{:.6g} {:.6g} {:.6g}\n".format(*row) for row in tile) for tile in hall())
+    corner, middle, border, last = ("".join("{:.6g} {:.6g} {:.6g}\n".format(*row) for row in tile) for tile in hall())
     p.write({"corner.pts": corner, "folder/Middle.XYZ": middle, "last.xyz": last,
-             "folder/sub/seam.csv": "x,y,z\n" + seam.replace(" ", ",")})
+             "folder/sub/border.csv": "x,y,z\n" + border.replace(" ", ",")})
     p(0, NOTHING, f"last.xyz {OPTIONS} --output last.las --quiet")
 
 

@@ -43,7 +43,7 @@ def prepare(p):
              "corner.pcd": seen_from("4 1.5 2", tiles["corner.pts"]), "last.pcd": seen_from("4 -9 9", tiles["last.xyz"]),
              "zeros.xyz": tiles["corner.pts"] + 5 * "0 0 0\n", "signals.sh": SIGNALS,
              **{f"slow{t}.xyz": "".join(f"{t * 60 + i % 59} {i % 997} {i % 3}\n" for i in range(60000)) for t in range(3)}})
-    p.path("taken/seam.csv").mkdir(parents=True)
+    p.path("taken/border.csv").mkdir(parents=True)
 
 
 def with_classes(rows):
@@ -98,8 +98,8 @@ def test_the_same_bytes(p, written, n, normals):
     ("warning: class_none.ply: has no points", " ".join(CLASSES), CLASSES),
     # The sides of planes, by one viewpoint or that of each input
     ("normals estimated, towards the viewpoint\n.*hash", f"{ALL} --viewpoint 4,1.5,2 --oriented", OUTPUTS),
-    ("normals estimated, towards the viewpoint\n.*hash", "corner.pcd folder/Middle.XYZ folder/sub/seam.csv last.pcd",
-     ["corner.pcd", "Middle.XYZ", "seam.csv", "last.pcd"]),
+    ("normals estimated, towards the viewpoint\n.*hash", "corner.pcd folder/Middle.XYZ folder/sub/border.csv last.pcd",
+     ["corner.pcd", "Middle.XYZ", "border.csv", "last.pcd"]),
     # Tolerances of points; those at 0 0 0 are in one tile.
     *(("; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)", f"{' '.join(ZEROS)} --ignore-zeros {option}",
        [name[name.find("/") + 1:] for name in ZEROS])
@@ -125,7 +125,7 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
     (2, 2, "--estimate-normals with a number needs all points", f"{ALL} --estimate-normals 12"),
     (2, 1, "--viewpoint is for estimated normals, but the input has normals",
      f"cube.ply given.ply {OPTIONS} --viewpoint 4,1.5,2"),
-    (3, 1, "taken/seam.csv: is a directory", f"{ALL} --output-directory taken --planes taken/planes"),
+    (3, 1, "taken/border.csv: is a directory", f"{ALL} --output-directory taken --planes taken/planes"),
     *3 * [(3, 1, "/dev/full: cannot be written completely .No space",  # the folders that they make, too
            f"{ALL} {OPTIONS} --output-directory made/one/two --planes /dev/full")]])
 def test_messages(p, n, code, pattern, arguments):

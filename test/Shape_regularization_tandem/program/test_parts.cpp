@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(offers)
   CHECK(text_of({"cloud.ply", "--view=v.html"}, nothing) == text_of({"--help"}, nothing));
 }
 
-// --- Files are shared among processes by their sizes: they keep their order, and no process is off its share by more than
-// the largest file.
+// --- Files are shared among processes by their sizes: they keep their order, and no process is off its part by more
+// than the largest file.
 
 BOOST_AUTO_TEST_CASE(shares_of_files)
 {
@@ -136,16 +136,16 @@ BOOST_AUTO_TEST_CASE(shares_of_files)
     std::vector<double> load(std::size_t(processes), 0);
     for(std::size_t file = 0; file < bytes.size(); ++file)
       load.at(std::size_t(rank_of.at(file))) += double(bytes[file]);
-    for(double share : load)
-      CHECK_AT(std::fabs(share - sum / processes) <= double(*std::max_element(bytes.begin(), bytes.end())) + 100,
+    for(double part : load)
+      CHECK_AT(std::fabs(part - sum / processes) <= double(*std::max_element(bytes.begin(), bytes.end())) + 100,
                std::to_string(processes));
   }
 }
 
-// --- The share of points in shapes, in which no point at 0 0 0 counts twice, and noise that cannot be measured
+// --- The ratio of points in shapes, in which no point at 0 0 0 counts twice, and noise that cannot be measured
 
 // Of 1000 points 100 are in shapes and 600 at 0 0 0, far from the others; zeros says where these are counted.
-void check_share(std::size_t CGAL::Tandem::Statistics::*zeros)
+void check_ratio(std::size_t CGAL::Tandem::Statistics::*zeros)
 {
   CGAL::Tandem::Statistics s;
   s.number_of_points = 1000;
@@ -156,8 +156,8 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros)
     s.*zeros = 600;
     s.free_points.clutter = 250;
   }
-  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
-  CHECK(program::share_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
+  CHECK(program::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
+  CHECK(program::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
 }
 
 // Another rank has measured .25.
@@ -166,13 +166,13 @@ struct Two_ranks : program::Ranks {
   double largest(double own) const override { return (std::max)(own, -.25); }
 };
 
-BOOST_AUTO_TEST_CASE(share_and_noise)
+BOOST_AUTO_TEST_CASE(ratio_and_noise)
 {
   using Statistics = CGAL::Tandem::Statistics;
-  check_share(nullptr);
+  check_ratio(nullptr);
   for(auto zeros : {&Statistics::number_of_far_points, &Statistics::number_of_ignored_normals,
                     &Statistics::number_of_ignored_tolerances})
-    check_share(zeros);
+    check_ratio(zeros);
   CHECK(program::smallest_noise([] { return .125; }, Two_ranks()) == .125);
   // It goes on, and takes part in what all ranks do.
   CHECK(program::smallest_noise([]() -> double { throw std::bad_alloc(); }, Two_ranks()) == .25);

@@ -30,9 +30,9 @@ def prepare(p):
 def test_each_input_has_its_points(p):
     """In a file of its own, with shapes of the whole area"""
     assert sorted(os.listdir(p.path("new/one"))) == sorted(OUTPUTS) and len(p.lines("planes")) == 4
-    seam = p.lines("new/one/seam.csv")
-    assert set(seam) <= set(p.lines("all.csv")) and len(seam) == len(p.lines("folder/sub/seam.csv"))
-    assert {row.split(",")[-1] for row in seam} >= set("0123")
+    border = p.lines("new/one/border.csv")
+    assert set(border) <= set(p.lines("all.csv")) and len(border) == len(p.lines("folder/sub/border.csv"))
+    assert {row.split(",")[-1] for row in border} >= set("0123")
 
 
 def test_what_is_written_is_read_again(p):

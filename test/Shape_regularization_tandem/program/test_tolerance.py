@@ -86,7 +86,7 @@ test_options = cases([
     # Noise
     (0, "tolerances  0.00[0-9]* to 0.01[0-9]*, by noise 0.001 . 0.02[*]r\n.*shapes +3 in",
      f"plain.xyz --noise '0.001 + 0.02*r' {BOUND}"),
-    # Given normals have a side, so the place is only that of the sensor.
+    # Given normals are oriented, so the place is only that of the sensor.
     (0, "normals given\n.*by noise .001r.2\n", "cube.ply --noise .001r^2 --viewpoint 1,1,1"),
     # Negative noise is none: points beyond a range of .1 are in no shape.
     (0, "; ignored: [0-9]* without a tolerance\n", f"plain.xyz --noise '0.004 - 0.04*r' {BOUND}"),

@@ -52,7 +52,7 @@ def groups(p, name):
     *(("bare", 1, place, "bare.xyz --viewpoint='{}, {}, {}'".format(*place)) for place in ((5, 6, 7), (-2, -3, .5))),
     # Far away a step of float is half a unit.
     *(("far", 1, (x, 2, 2), f"far.xyz --viewpoint {x},2,2") for x in (4500001.25, 4500000.75)),
-    # Given normals have a side.
+    # Given normals are oriented.
     ("outside", -1, (5, 6, 7), "outside.xyz"), ("outside", -1, (5, 6, 7), "outside.pcd"),
     ("bare", 1, (5, 6, 7), "outside.xyz --estimate-normals --viewpoint 5,6,7"),
     # VIEWPOINT of PCD files

@@ -53,8 +53,8 @@ def test_it_rises_to_one_on_this_thread():
     for threads in (None, 1):
         reports, callers = [], set()
 
-        def progress(share):
-            reports.append(share)
+        def progress(fraction):
+            reports.append(fraction)
             callers.add(threading.get_ident())
 
         assert detect(progress=progress, threads=threads).hash == shapes_of_room().hash
@@ -65,8 +65,8 @@ def test_it_rises_to_one_on_this_thread():
 def test_false_cancels():
     reports = []
 
-    def progress(share):
-        reports.append(share)
+    def progress(fraction):
+        reports.append(fraction)
         return np.bool_(len(reports) < 3)
 
     shapes = detect(progress=progress)
@@ -78,15 +78,15 @@ def test_false_cancels():
 def test_exceptions_are_passed_on():
     for last in (0, 0.2, 1):
 
-        def progress(share):
-            if share >= last:
+        def progress(fraction):
+            if fraction >= last:
                 raise KeyError(last)
 
         with pytest.raises(KeyError) as caught:
             detect(progress=progress, threads=2)
         assert caught.value.args == (last,)
     with pytest.raises(ValueError, match="ambiguous"):
-        detect(progress=lambda share: np.array([True, False]))
+        detect(progress=lambda fraction: np.array([True, False]))
     assert detect().hash == shapes_of_room().hash
 
 
@@ -111,7 +111,7 @@ def test_interrupts_end_the_call():
     def interrupt(*_):
         raise KeyboardInterrupt
 
-    for arguments in ({}, {"progress": lambda share: True}, {"threads": 2}):
+    for arguments in ({}, {"progress": lambda fraction: True}, {"threads": 2}):
         with pytest.raises(KeyboardInterrupt):
             run_with_timer(interrupt, **arguments)
     assert detect().hash == shapes_of_room().hash

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel and coplanar groups are the same as by a look at all pairs, in the definition. By their prices, shapes are
-// related exactly where that is worth more than what their points lose, and none loses more than its relations are
+// related exactly where that is worth more than what it costs their points, and none pays more than its relations are
 // worth.
 
 #include "testing/direction_families.h"
@@ -160,7 +160,7 @@ std::vector<Naive_plane> naive_planes(const Shape_fits& shapes, const Regular_pl
   std::sort(groups.begin(), groups.end(),
             [](const Naive_plane& a, const Naive_plane& b) { return a.offset < b.offset; });
   const auto gain = [&](std::size_t g) { // of g and the one after
-    if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset))
+    if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset_steps))
       return 0.;
     const double a = groups[g].weight, b = groups[g + 1].weight, d = groups[g + 1].offset - groups[g].offset;
     return o.price((std::min)(groups[g].largest, groups[g + 1].largest)) - a * b / (a + b) * d * d;
@@ -182,7 +182,7 @@ std::vector<Naive_plane> naive_planes(const Shape_fits& shapes, const Regular_pl
   return groups;
 }
 
-// Shapes that are too far from the plane of their group, or that lose too much there, keep their own.
+// Shapes that are too far from the plane of their group, or for which it costs too much, keep their own.
 BOOST_AUTO_TEST_CASE(coplanar_groups)
 {
   std::size_t united = 0, released = 0;
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(coplanar_groups)
       std::vector<int> kept;
       for(int i : group.members) {
         const double count = shapes[std::size_t(i)].scatter.count, d = group.offset - plane[std::size_t(i)].offset;
-        if(std::fabs(d) <= o.maximum_offset && count * d * d <= o.price(count))
+        if(std::fabs(d) <= o.maximum_offset_steps && count * d * d <= o.price(count))
           kept.push_back(i);
       }
       const bool is_any = kept.size() > 1;
@@ -249,16 +249,16 @@ BOOST_AUTO_TEST_CASE(right_angle)
     const Shape_fits shapes =
       make_shapes({{{0, 0, 1}, {0, 0, 0}}, {polar(0, degrees), {200 * epsilon, 0, 0}, 9000, 9000, 200, 500}});
     const double price = cost_of_right_angle(eigen_system(shapes[1].scatter.matrix), {0, 0, 1}) / (epsilon * epsilon);
-    for(double share : {.9, 1.1}) {
-      const Relations r = run(shapes, all_on(share * price));
-      check_equal(orthogonal_pairs(r.directions).size(), share > 1 ? 1u : 0u, "right angles");
+    for(double factor : {.9, 1.1}) {
+      const Relations r = run(shapes, all_on(factor * price));
+      check_equal(orthogonal_pairs(r.directions).size(), factor > 1 ? 1u : 0u, "right angles");
       for(std::size_t i = 0; i < 2; ++i)
-        CHECK_AT(loss(shapes[i], r.directions[i]) <= share * price * epsilon * epsilon, "the loss of a right angle");
+        CHECK_AT(loss(shapes[i], r.directions[i]) <= factor * price * epsilon * epsilon, "the loss of a right angle");
     }
   }
 }
 
-// No group loses more than the price of a degree of freedom by right angles, and no shape more than that of a direction
+// No group pays more than the price of a degree of freedom by right angles, and no shape more than that of a direction
 // by all. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are
 // known.
 BOOST_AUTO_TEST_CASE(losses)

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(partners)
   std::size_t chained = 0, merged = 0;
   for_each_family(300, 12, [&](const std::string&, Random& random, const Directions& d) {
     Regularity_parameters options;
-    options.maximum_distance = 1;
+    options.maximum_distance_steps = 1;
     options.freedom.per_point = 1 + 100 * random.uniform();
     Fixed_pair fixed(options);
     const bool is_small = random.below(2) == 0;

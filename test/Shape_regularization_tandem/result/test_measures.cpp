@@ -164,12 +164,12 @@ BOOST_AUTO_TEST_CASE(degenerate_points)
   CHECK(exact.noise == 0 && exact.offset_deviation == 0 && exact.angle_deg == 0);
   const Plane_uncertainty moved = uncertainty_of(points, 10); // by relations
   CHECK(moved.noise == 20 && moved.offset_deviation == 10);
-  std::vector<Grid_point> line, heap;
+  std::vector<Grid_point> line, cluster;
   for(int i = 0; i < 100; ++i) {
     line.push_back({3 * i, 7 * i, 0, 0});
-    heap.push_back({i % 5, i / 5 % 5, i / 25 * 100, 0});
+    cluster.push_back({i % 5, i / 5 % 5, i / 25 * 100, 0});
   }
-  const Plane_uncertainty u = uncertainty_of(line), v = uncertainty_of(heap);
+  const Plane_uncertainty u = uncertainty_of(line), v = uncertainty_of(cluster);
   const double degrees = 180 / std::acos(-1.);
   CHECK(std::fabs(u.angle_deg - degrees) < 1e-9 && std::fabs(v.angle_deg - degrees) < 1e-9);
   CHECK(std::fabs(form(u.normal_covariance, unit({7, -3, 0})) - 1) < 1e-9); // nothing is known about the line ...

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(points)
     set_labels(points, f.label, f.state);
     auto shapes = make_table(backend, expected.before);
     shapes.plane = filled_buffer(backend, expected.before.size(), Plane());
-    merge_points(points, shapes, to_buffer(backend, expected.target));
+    merge_surfels(points, shapes, to_buffer(backend, expected.target));
     check_cloud(backend, points, shapes, expected, name + ": merge");
     check_lists(to_vector(backend, points.state(), f.state.size()), expected.state, name + ": states");
     const std::int64_t minimum = std::int64_t(f.label.size() / 30);

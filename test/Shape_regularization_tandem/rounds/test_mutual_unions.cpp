@@ -38,7 +38,7 @@ Stage_parameters union_options(std::int64_t minimum_size = 100)
 {
   Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), 12);
-  o.maximum_distance = epsilon;
+  o.maximum_distance_steps = epsilon;
   o.squared_cosine = cosine_deg(25) * cosine_deg(25);
   o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
   return o;
@@ -163,7 +163,7 @@ private:
     Verdict v;
     v.gain = score(both) - score(before_a) - score(before_b) - double(options_.score.links(links));
     const double gain_of_larger = v.gain + score(before_b);
-    // Without a look at points, by squares that count all of them, such a union is seen to lose more than a price.
+    // Without a look at points, by squares that count all of them, such a union seems to cost more than a price.
     const double by_squares = v.gain - both.fit + before_a.fit + before_b.fit -
                               Score::unit * (after_a.squares + after_b.squares - before_a.squares - before_b.squares);
     v.is_accepted = v.gain > 0 && gain_of_larger > 0 && 10 * (b.size() - after_b.points) <= b.size() &&
@@ -208,10 +208,10 @@ BOOST_AUTO_TEST_CASE(gains)
               m = 3 + int(random() % 62);
     Fragment a = random_fragment((std::max)(n, m), 0, factor, random),
              b = random_fragment((std::min)(n, m), 1000, factor, random), small[] = {a, b};
-    for(std::uint32_t side : {0u, 1u}) {
-      for(Grid_point& p : small[side].point)
+    for(std::uint32_t part : {0u, 1u}) {
+      for(Grid_point& p : small[part].point)
         p = {p.x / factor, p.y / factor, p.z / factor, p.normal};
-      small[side].finish(64 * side, std::uint8_t(8 * octaves));
+      small[part].finish(64 * part, std::uint8_t(8 * octaves));
     }
     a.finish(0);
     b.finish(64);

@@ -109,7 +109,7 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
   Stage_parameters options = Stage_parameters();
   options.score = Score(30, f.cloud.k);
   options.minimum_region_size = 30;
-  options.maximum_distance = double(f.tolerance.distance) / normal_scale;
+  options.maximum_distance_steps = double(f.tolerance.distance) / normal_scale;
   options.growth.tolerance = f.tolerance;
   const std::vector<Shape> shape = fitted_shapes(f, f.plane.size());
   const std::vector<Slow_split> expected = slow_splits(f, shape, options, first);
@@ -172,7 +172,7 @@ Stage_parameters split_options(int k)
   Stage_parameters o = Stage_parameters();
   o.score = Score(std::uint64_t(minimum_size), k);
   o.minimum_region_size = minimum_size;
-  o.maximum_distance = epsilon;
+  o.maximum_distance_steps = epsilon;
   o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
   return o;
 }
@@ -181,7 +181,7 @@ Stage_parameters split_options(int k)
 struct Scene {
   const char* name;
   int points;
-  double side;
+  double width;
   double gap;   // between layers, of which the second one has two points of five
   double ridge; // over the eaves, where both faces meet
   double noise;
@@ -197,10 +197,10 @@ struct Scene {
   {
     scenes::Random random(5);
     for(int i = 0; i < points; ++i) {
-      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / side;
+      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / width;
       face.push_back(ridge == 0 ? i % 5 < 2 : std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0);
       const double z = face.back() * gap + ridge * (1 - std::fabs(2 * from_ridge)) + noise * random.gaussian();
-      point.push_back({std::int32_t(side * x), std::int32_t(side * random.uniform()),
+      point.push_back({std::int32_t(width * x), std::int32_t(width * random.uniform()),
                        std::int32_t(std::lround(epsilon * z)),
                        encode_normal({!is_sharp        ? 0
                                       : from_ridge > 0 ? slope

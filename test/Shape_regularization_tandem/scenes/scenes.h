@@ -64,8 +64,8 @@ enum class Normals { none, exact, perturbed };
 
 struct Options {
   std::size_t points = 20000;
-  double noise = 0;            // sigma, as a share of the diagonal
-  double outliers = 0;         // share of the points
+  double noise = 0;            // sigma, as a fraction of the diagonal
+  double outliers = 0;         // ratio of the points
   bool varies_density = false; // falls with the squared distance to the nearest scanner
   Normals normals = Normals::exact;
   double normal_noise_deg = 5; // sigma for Normals::perturbed

@@ -88,8 +88,8 @@ double noise_of(const Sensor& sensor, double distance)
 {
   if(sensor.kind == Sensor_kind::aerial)
     return sensor.noise;
-  const double share = distance / 3;
-  return sensor.noise * (sensor.kind == Sensor_kind::camera ? share * share : share);
+  const double relative = distance / 3;
+  return sensor.noise * (sensor.kind == Sensor_kind::camera ? relative * relative : relative);
 }
 
 // Numbers the connected pieces of faces, in the order of their first points: two points are connected if their pixels are

@@ -48,9 +48,9 @@ BOOST_AUTO_TEST_CASE(test_parts)
     CHECK_AT(are_near(double(score.freedom(700)) / unit, -regularity * (double(minimum) + 70), .01), where);
     CHECK_AT(are_near(double(score.links(24, 4)) / unit, -.5 * (24 + 3 * 4) / k, 1 / unit), where);
     const std::int64_t epsilon = std::int64_t(37) << 28;
-    const double share = 2 * random.uniform() - 1;
-    const std::int64_t d = std::int64_t(share * double(epsilon)), weight = Score::weight({1, epsilon}, d);
-    CHECK_AT(are_near(double(weight), unit * (1 - share * share), 1), where);
+    const double fraction = 2 * random.uniform() - 1;
+    const std::int64_t d = std::int64_t(fraction * double(epsilon)), weight = Score::weight({1, epsilon}, d);
+    CHECK_AT(are_near(double(weight), unit * (1 - fraction * fraction), 1), where);
     CHECK_AT(Score::weight({3, epsilon}, d) == 3 * weight && Score::weight({1, epsilon}, epsilon + 5) == 0, where);
   }
   CHECK(Score(100, 12).size_bonus(0) == 0);
@@ -113,7 +113,7 @@ void check_result(const std::string& name, double maximum_distance, std::size_t 
   scenes::Options options = scene_options(4000, noise, .05);
   options.normals = scenes::Normals::perturbed;
   scenes::Scene scene = scenes::make_scene(name, options);
-  for(std::size_t i = 0; i < scene.normals.size(); i += 2) // no point has a side
+  for(std::size_t i = 0; i < scene.normals.size(); i += 2) // normals are not oriented
     scene.normals[i] = -1. * scene.normals[i];
   const Shapes shapes = detect_valid(name, to_cloud(scene), points_only(maximum_distance, minimum));
   const Result_score found = shapes.statistics().score, expected = brute_force(scene.points, shapes);

@@ -175,12 +175,12 @@ BOOST_AUTO_TEST_CASE(update)
     std::vector<Cell_shapes> lists = f.lists;
     lists[0].size = Cell_shapes::capacity + 1; // of all shapes, maybe: stays so
     backend.template for_each_cell<Update_scratch>(
-      f.cells.size(), Update_points<decltype(backend)>{f.cloud,
-                                                       f.cells.data(),
-                                                       lists.data(),
-                                                       {label.data(), state.data()},
-                                                       {target.data(), is_checked.data(), plane.data(), f.tolerance},
-                                                       loss.data()});
+      f.cells.size(), Update_surfels<decltype(backend)>{f.cloud,
+                                                        f.cells.data(),
+                                                        lists.data(),
+                                                        {label.data(), state.data()},
+                                                        {target.data(), is_checked.data(), plane.data(), f.tolerance},
+                                                        loss.data()});
     check_lists(label, expected, name + ": labels");
     CHECK_AT(lists[0].size == Cell_shapes::capacity + 1, name + ": a list that has overflown");
     for(std::size_t c = 1; c < lists.size(); ++c) {

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(requests_of_rounds)
     auto target = identity_targets(t.points.backend, t.shapes.size);
     for(std::size_t id = 0; id < target.size(); ++id)
       target[id] = std::uint32_t(id & ~std::size_t(1));
-    merge_points(t.points, t.shapes, target);
+    merge_surfels(t.points, t.shapes, target);
   });
   check_stage("links of some shapes", [](State& t, Link_buffer& links) {
     for(std::size_t id = 0; id < t.shapes.size; ++id)
@@ -186,7 +186,7 @@ Shape_relations shifted_planes(const State& t)
     const Regular_plane& p = t.shapes.table()[id].plane;
     r.id.push_back(id);
     r.relations.plane_of.push_back(int(id));
-    r.relations.planes.push_back({p.normal, p.offset + 3 * t.options.maximum_distance});
+    r.relations.planes.push_back({p.normal, p.offset + 3 * t.options.maximum_distance_steps});
   }
   return r;
 }
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(requests_of_end_game)
 {
   check_stage("misfits", [](State& t, Link_buffer&) {
     for(Shape& s : t.shapes.table())
-      s.plane.offset += t.options.maximum_distance;
+      s.plane.offset += t.options.maximum_distance_steps;
     detach_misfits(t.points, t.shapes, t.options.growth.tolerance);
   });
   check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });

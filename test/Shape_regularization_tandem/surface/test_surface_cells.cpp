@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(one_cell)
   CHECK(cutter.section(1, cutter.add_plane({0, 0, 1, -.5})).size() == 8); // each edge in both of its facets
 }
 
-// However dense they are, points cover the area on which they lie; copies have their share of it.
+// However dense they are, points cover the area on which they lie; copies have their part of it.
 BOOST_AUTO_TEST_CASE(covered_area)
 {
   std::mt19937 random(1);

@@ -169,39 +169,39 @@ inline Criteria evaluate(const std::vector<Vec>& points, const std::vector<Vec>&
   return criteria;
 }
 
-// How few and how large the shapes are: the share of the points in the N largest shapes, and in the N largest distinct
+// How few and how large the shapes are: the ratio of the points in the N largest shapes, and in the N largest distinct
 // planes. Points beyond the tolerances of their plane do not count. So a detector gains nothing by planes that are far
-// from their points. The largest first. Sizes are shares of all points of the cloud.
+// from their points. The largest first. Sizes are ratios of all points of the cloud.
 class Size_curve {
 public:
   Size_curve() = default;
   Size_curve(const std::vector<std::size_t>& sizes, std::size_t points)
   {
     for(std::size_t size : sizes)
-      shares_.push_back(double(size) / double(points));
-    std::sort(shares_.begin(), shares_.end(), std::greater<double>());
+      ratios_.push_back(double(size) / double(points));
+    std::sort(ratios_.begin(), ratios_.end(), std::greater<double>());
   }
 
-  std::size_t size() const { return shares_.size(); }
+  std::size_t size() const { return ratios_.size(); }
 
-  // The share of the points in the n largest.
+  // The ratio of the points in the n largest.
   double top(std::size_t n) const
   {
-    return std::accumulate(shares_.begin(), shares_.begin() + std::ptrdiff_t((std::min)(n, size())), 0.);
+    return std::accumulate(ratios_.begin(), ratios_.begin() + std::ptrdiff_t((std::min)(n, size())), 0.);
   }
 
-  // How many are needed for that share of the points; size() + 1 if all of them are not enough.
-  std::size_t needed_for(double share) const
+  // How many are needed for that ratio of the points; size() + 1 if all of them are not enough.
+  std::size_t needed_for(double ratio) const
   {
     double sum = 0;
     for(std::size_t i = 0; i < size(); ++i)
-      if((sum += shares_[i]) >= share)
+      if((sum += ratios_[i]) >= ratio)
         return i + 1;
     return size() + 1;
   }
 
 private:
-  std::vector<double> shares_;
+  std::vector<double> ratios_;
 };
 
 // The degrees of freedom of the planes of as many of the largest shapes as a clean coverage needs: of the directions, and
@@ -313,7 +313,7 @@ inline std::vector<std::int32_t> match_shapes(const Detection& reference, const 
   return match;
 }
 
-inline double share_relabeled(const Detection& reference, const Detection& other)
+inline double relabeled_ratio(const Detection& reference, const Detection& other)
 {
   std::vector<std::int32_t> match = match_shapes(reference, other);
   std::size_t count = 0;
@@ -325,7 +325,7 @@ inline double share_relabeled(const Detection& reference, const Detection& other
   return reference.label.empty() ? 0 : double(count) / double(reference.label.size());
 }
 
-// How far the results of several runs on the same points differ: the largest share of points with another shape than in
+// How far the results of several runs on the same points differ: the largest ratio of points with another shape than in
 // the first run. Nothing, for a method that is deterministic. Throws std::runtime_error where the points are others.
 inline double evaluate_spread(const std::vector<Detection>& runs)
 {
@@ -334,7 +334,7 @@ inline double evaluate_spread(const std::vector<Detection>& runs)
     if(runs[r].label.size() != runs[0].label.size())
       throw std::runtime_error("run " + std::to_string(r) + " has another number of points than run 0");
     shape_sizes(runs[r]); // throws for labels that no plane has
-    largest = (std::max)(largest, r == 0 ? 0 : share_relabeled(runs[0], runs[r]));
+    largest = (std::max)(largest, r == 0 ? 0 : relabeled_ratio(runs[0], runs[r]));
   }
   return largest;
 }

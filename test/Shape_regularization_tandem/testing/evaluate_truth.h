@@ -19,7 +19,7 @@ struct Truth {
 
 struct Truth_criteria {
   std::size_t faces = 0;           // with enough points to count
-  double point_precision = 0;      // share of the assigned points that lie on the main face of their shape
+  double point_precision = 0;      // ratio of the assigned points that lie on the main face of their shape
   std::size_t shapes_matched = 0;  // a shape and a face match where intersection / union is above one half
   double face_f1 = 0;              // of these matches
   double angle_error_deg = 0;      // mean over the matched shapes

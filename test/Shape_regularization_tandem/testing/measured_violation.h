@@ -41,7 +41,7 @@ struct Plane_sums {
 // Lengths are in steps of the grid, so that squares of all units can be computed. Margins bound what its rounding changes.
 inline std::string uncertainty_violation(const Shapes_data& data, const Grid& grid, const std::vector<Plane_sums>& sums)
 {
-  const double change = distance_margin(grid);
+  const double change = distance_margin_steps(grid);
   for(std::size_t s = 0; s < sums.size(); ++s) {
     const Plane_uncertainty& found = data.uncertainty[s];
     const double n = sums[s].count, noise = found.noise / grid.step;
@@ -81,11 +81,11 @@ inline Statistic count_of(const char* name, std::size_t found, std::size_t expec
   return {name, double(found), double(expected), 0};
 }
 
-// How far a distance on the grid may be from the exact one, with a share of epsilon that is rounded.
+// How far a distance on the grid may be from the exact one, with a fraction of epsilon that is rounded.
 inline double rounding_of_distances(const Shapes_data& data, const Import& in)
 {
   const double epsilon = data.parameters.maximum_distance;
-  return (std::min)(distance_margin(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
+  return (std::min)(distance_margin_steps(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
                     epsilon);
 }
 
@@ -98,7 +98,7 @@ struct Point_sums {
   Point_sums(const Shapes_data& data, const Import& in) : planes(data.coefficients.size())
   {
     const double epsilon = data.parameters.maximum_distance, rounding = 2 * rounding_of_distances(data, in);
-    const auto share_of = [](double distance, double length) {
+    const auto fraction_of = [](double distance, double length) {
       return std::uint64_t((std::min)(distance / length, 1.) * double(Score_item::tolerance_units) + .5);
     };
     for(std::size_t i = 0; i < in.size(); ++i) {
@@ -111,8 +111,8 @@ struct Point_sums {
       const double tolerance =
         in.has_tolerances ? epsilon * level_factor(level_of((std::min)(in.tolerances[i], epsilon), epsilon)) : epsilon;
       ++assigned;
-      distance += share_of(found, epsilon);
-      fit += std::uint64_t(Score::weight_at({1, 0}, share_of(found, tolerance)));
+      distance += fraction_of(found, epsilon);
+      fit += std::uint64_t(Score::weight_at({1, 0}, fraction_of(found, tolerance)));
       fit_error += (std::min)(rounding / tolerance, 1.) + 1e-6;
       planes[std::size_t(s)].add(p, data.uncertainty[std::size_t(s)], found, in.grid.step);
     }

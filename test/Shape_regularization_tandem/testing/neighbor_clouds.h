@@ -123,7 +123,7 @@ void on_neighbor_clouds(Check check)
       return are_equal ? Grid_point{i % 2 ? limit : -limit, 2, 1, 0} : Grid_point{any(), any(), i % 3 ? 0 : any(), 0};
     });
     sort_along_curve(cloud);
-    check(are_equal ? "two equal heaps" : "a third outliers", cloud, 12, many / 20);
+    check(are_equal ? "two equal clusters" : "a third outliers", cloud, 12, many / 20);
   }
 }
 

@@ -12,7 +12,7 @@
 // Turned anyhow, with a corner somewhere in the cube [low, high]^3.
 struct Squares {
   std::size_t count, points; // of each
-  double side;
+  double width;
   double distance_noise = 0, angle_noise = 0; // standard deviations
   double low = 0, high = 6;
 };
@@ -26,7 +26,7 @@ inline void add_squares(scenes::Random& random, Cloud& cloud, const Squares& squ
     const Vec u = unit(cross(n, random.direction())), v = cross(n, u);
     const double x = place(), y = place(), z = place();
     for(std::size_t j = 0; j < squares.points; ++j) {
-      const double a = squares.side * random.uniform(), b = squares.side * random.uniform();
+      const double a = squares.width * random.uniform(), b = squares.width * random.uniform();
       const Vec in_plane = add_scaled(add_scaled(Vec{x, y, z}, a, u), b, v);
       const Vec p = add_scaled(in_plane, squares.distance_noise * random.gaussian(), n);
       const Vec m = unit(add_scaled(n, squares.angle_noise, random.gaussian_vector()));

@@ -21,7 +21,7 @@ struct Plane {
 };
 
 // Of the sine of the angle of parallel planes, the cosine of that of orthogonal ones, and of the offset at the center of a
-// cloud as a share of its diagonal.
+// cloud as a fraction of its diagonal.
 constexpr double relaxed = 1e-6;
 
 class Plane_relations {

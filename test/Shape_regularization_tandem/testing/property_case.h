@@ -64,7 +64,7 @@ private:
   double between(double low, double high) { return low + (high - low) * random_.uniform(); }
   // Any order of magnitude is as likely as another one.
   double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-  bool happens(double share) { return random_.uniform() < share; }
+  bool happens(double probability) { return random_.uniform() < probability; }
   int below(int n) { return int(random_.bits() % std::uint64_t(n)); }
 
   // Coordinates of the frame of the scene.
@@ -116,7 +116,7 @@ private:
   void make_family()
   {
     using Maker = Case_maker;
-    void (Maker::*const families[])() = {&Maker::make_slabs,   &Maker::make_slabs,      &Maker::make_lattice,
+    void (Maker::*const families[])() = {&Maker::make_layers,  &Maker::make_layers,     &Maker::make_lattice,
                                          &Maker::make_lattice, &Maker::make_box,        &Maker::make_box,
                                          &Maker::make_patches, &Maker::make_few_places, &Maker::make_degenerate,
                                          &Maker::make_fan,     &Maker::make_surface};
@@ -124,9 +124,9 @@ private:
   }
 
   // Parallel layers, .3 to 3 epsilon apart, some of them slanted.
-  void make_slabs()
+  void make_layers()
   {
-    name_ += ": slabs";
+    name_ += ": layers";
     const int layers = 2 + below(4), points = 30 + below(250);
     const double gap = epsilon_ * between(.3, 3), width = log_between(.3, 3), slant = happens(.5) ? 0 : between(0, 4);
     for(int i = 0; i < layers; ++i) {
@@ -265,13 +265,13 @@ private:
 
   void spoil_normals()
   {
-    const double noise = happens(.5) ? 0 : between(0, .6), share = happens(.3) ? 1 : between(0, .2);
+    const double noise = happens(.5) ? 0 : between(0, .6), probability = happens(.3) ? 1 : between(0, .2);
     const int kinds = 7, kind = happens(.5) ? below(kinds) : kinds;
     const bool are_spoiled = happens(.5);
     for(auto& item : cloud_) {
       const Vec e = noise * random_.direction();
       item.second = item.second + Kernel::Vector_3(e.x, e.y, e.z);
-      if(are_spoiled && happens(share))
+      if(are_spoiled && happens(probability))
         item.second = spoiled(item.second, kind < kinds ? kind : below(kinds));
     }
     name_ += are_spoiled ? ", bad normals" : "";

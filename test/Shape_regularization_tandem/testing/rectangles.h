@@ -54,7 +54,7 @@ inline Regularity_parameters all_on(double price = 20)
 {
   Regularity_parameters o;
   o.angle_tolerance_deg = 8;
-  o.maximum_offset = o.maximum_distance = epsilon;
+  o.maximum_offset_steps = o.maximum_distance_steps = epsilon;
   o.freedom.least = price;
   return o;
 }

@@ -265,9 +265,9 @@ private:
   // of this evaluation.
   void check_points()
   {
-    constexpr double packing = 2e-4; // the method decides on sides with normals that are packed, and so turned a little
+    constexpr double packing = 2e-4; // the method decides on packed normals, which are turned a little
     const double cosine = cosine_deg(data_.parameters.maximum_angle);
-    sides_.assign(2 * data_.coefficients.size(), 0);
+    opposed_.assign(2 * data_.coefficients.size(), 0);
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
       if(data_.shape_of[item] < 0)
@@ -289,8 +289,8 @@ private:
       if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         refuse(numbered("too oblique is the normal of point", item) + ": the cosine is " + to_text(std::fabs(aligned)) +
                " with that of " + numbered("shape", s));
-      sides_[2 * s] += aligned < -packing;
-      sides_[2 * s + 1] += aligned < packing;
+      opposed_[2 * s] += aligned < -packing;
+      opposed_[2 * s + 1] += aligned < packing;
     }
   }
 
@@ -313,9 +313,9 @@ private:
     for(std::size_t s = 0; s < n; ++s)
       size.push_back(shapes_.points(s).size());
     size = ranks.total(std::move(size));
-    sides_ = ranks.total(std::move(sides_));
+    opposed_ = ranks.total(std::move(opposed_));
     check_sizes(size);
-    check_sides(size);
+    check_orientations(size);
   }
 
   // Size: the number of points, and no shape is below the minimum.
@@ -330,13 +330,13 @@ private:
     }
   }
 
-  // Whether most normals are opposite. Estimated normals have no side.
-  void check_sides(const std::vector<std::uint64_t>& size)
+  // Whether most normals are opposite. Estimated normals are not oriented.
+  void check_orientations(const std::vector<std::uint64_t>& size)
   {
     for(std::size_t s = 0; s < size.size(); ++s) {
       const char is_flipped = data_.is_flipped[s];
-      const bool may_be = in_.has_normals && 2 * sides_[2 * s + 1] > size[s];
-      const bool must_be = in_.has_normals && 2 * sides_[2 * s] > size[s];
+      const bool may_be = in_.has_normals && 2 * opposed_[2 * s + 1] > size[s];
+      const bool must_be = in_.has_normals && 2 * opposed_[2 * s] > size[s];
       if(!(is_flipped == 0 && !must_be) && !(is_flipped == 1 && may_be))
         refuse(numbered("wrongly flipped or not is shape", s));
     }
@@ -362,7 +362,7 @@ private:
   Import& in_;
   const Shapes& shapes_;
   const Shapes_data& data_;
-  std::vector<std::uint64_t> sides_; // of each shape: the normals that are surely, and those that may be opposite
+  std::vector<std::uint64_t> opposed_; // of each shape: the normals that are surely, and those that may be opposite
 };
 
 // The first violation, or an empty text.

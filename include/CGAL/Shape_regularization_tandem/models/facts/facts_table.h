@@ -35,8 +35,8 @@ class Level_frame {
 public:
   explicit Level_frame(const Vector& up) : up(up)
   {
-    const double share = up.z > -1 ? up.y / (1 + up.z) : 0;
-    north = unit(Vector{-share * up.x, 1 - share * up.y, -up.y});
+    const double factor = up.z > -1 ? up.y / (1 + up.z) : 0;
+    north = unit(Vector{-factor * up.x, 1 - factor * up.y, -up.y});
     east = cross(north, up);
   }
 

@@ -30,8 +30,8 @@ public:
     Outline_loop result;
     for(std::size_t i = 0; i < elements.size() && elements.size() > 1; ++i)
       join(elements[i], elements[(i + 1) % elements.size()], result);
-    const double share = result.size() < 3 ? 0 : twice_area(result) / twice_area(border.loop());
-    return share > smallest_share && share * smallest_share < 1 ? result : border.loop();
+    const double fraction = result.size() < 3 ? 0 : twice_area(result) / twice_area(border.loop());
+    return fraction > smallest_fraction && fraction * smallest_fraction < 1 ? result : border.loop();
   }
 
   // f(an end of a straight border, as its number in the loop, and where the line of the run behind it crosses the border)
@@ -56,8 +56,8 @@ public:
 
 private:
   static constexpr std::size_t none = Edge_runs::none;
-  static constexpr double smallest_share = .5; // of the area that remains: a narrow piece could become a line
-  static constexpr double farthest = 3;        // of an intersection from the vertex that it replaces, in spacings
+  static constexpr double smallest_fraction = .5; // of the area that remains: a narrow piece could become a line
+  static constexpr double farthest = 3;           // of an intersection from the vertex that it replaces, in spacings
 
   using Run = Edge_runs::Run;
   // Of the new loop: a run, or an edge that stays.

@@ -19,13 +19,13 @@ namespace CGAL::Tandem::internal::outlines {
 
 // --- Shapes that meet at a line end at the same vertices of it
 
-// An end of a piece: of its two ends, the one that `side` says.
+// An end of a piece: of its two ends, the one that `which` says.
 struct Piece_end {
   Border_piece* piece;
   std::size_t shape;
-  int side;
+  int which;
 
-  Border_piece::End& end() const { return piece->ends[side]; }
+  Border_piece::End& end() const { return piece->ends[which]; }
 };
 
 inline void move(const Piece_end& e, double along, int third)
@@ -69,8 +69,9 @@ inline void move_to_mean(std::vector<Piece_end>& cluster)
   cluster.clear();
 }
 
-// The ends of a line to one side, in its direction. Ends at corners stay. Others that are close to one move there, and
-// the rest become the mean of those that are close to each other. An end moves by at most the reach of its piece.
+// The first ends of the pieces of a line, or the second ones, in its direction. Ends at corners stay. Others that are
+// close to one move there, and the rest become the mean of those that are close to each other. An end moves by at most
+// the reach of its piece.
 inline void join_ends(std::vector<Piece_end>& ends)
 {
   std::stable_sort(ends.begin(), ends.end(),
@@ -95,8 +96,8 @@ inline void join_common_ends(std::vector<Border_pieces>& all)
   std::map<std::array<int, 2>, std::vector<Piece_end>> of_line[2];
   for(std::size_t s = 0; s < all.size(); ++s)
     for(Border_piece& piece : all[s])
-      for(int side : {0, 1})
-        of_line[side][piece.line.planes].push_back({&piece, s, side});
+      for(int which : {0, 1})
+        of_line[which][piece.line.planes].push_back({&piece, s, which});
   for(auto& lines : of_line)
     for(auto& [line, ends] : lines)
       join_ends(ends);

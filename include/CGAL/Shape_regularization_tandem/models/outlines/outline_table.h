@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outlines of shapes. They do not depend on the sides of the planes: they are made for those with positive normals.
+// The outlines of shapes. They do not depend on the orientations of the planes: they are made for those with positive
+// normals.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H
@@ -320,8 +321,8 @@ inline Shapes_data with_positive_normals(Shapes_data data)
   return data;
 }
 
-// To the planes as they were.
-inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Polygon_table table)
+// With the orientations that the planes had.
+inline Polygon_table with_orientations_of(const std::vector<Coefficients>& planes, Polygon_table table)
 {
   for(std::size_t s = 0; s < planes.size(); ++s) {
     if(!is_turned(planes[s]))
@@ -337,7 +338,7 @@ inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Poly
 inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data, bool are_regular)
 {
   const Shapes shapes(with_positive_normals(data));
-  return with_sides_of(data.coefficients, Polygon_maker(points, shapes).polygons(are_regular));
+  return with_orientations_of(data.coefficients, Polygon_maker(points, shapes).polygons(are_regular));
 }
 
 // Known planes may have no points.

@@ -20,7 +20,7 @@ namespace CGAL::Tandem::internal::surface {
 
 struct Face {
   std::vector<int> vertices; // counterclockwise, seen from outside
-  int plane;                 // none: a side of the box
+  int plane;                 // none: a face of the box
 };
 
 // Where only two faces meet, both go straight on.
@@ -76,7 +76,7 @@ private:
     int facet, after; // the vertex after the edge
   };
 
-  // Sides of the box are not one plane.
+  // Faces of the box are not one plane.
   bool are_of_one_plane(int facet, int other) const
   {
     return cells_.facet(facet).plane != none && cells_.facet(facet).plane == cells_.facet(other).plane;

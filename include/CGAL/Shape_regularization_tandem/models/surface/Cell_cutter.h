@@ -29,7 +29,7 @@ inline constexpr int none = -1;
 
 struct Facet {
   std::vector<int> vertices; // counterclockwise, seen from the cell in front
-  int plane;                 // position in the planes; none: a side of the box
+  int plane;                 // position in the planes; none: a face of the box
   int behind, front;         // cells; none: beyond the box
 };
 
@@ -108,7 +108,7 @@ public:
   int add_plane(const Coefficients& plane)
   {
     planes_.push_back(plane);
-    return int(planes_.size()) - 1 - sides_of_box;
+    return int(planes_.size()) - 1 - faces_of_box;
   }
 
   std::size_t number_of_cells() const { return cells_.cells.size(); }
@@ -116,7 +116,7 @@ public:
   // Where a plane cuts the edges of a cell, in no order. Rounded.
   std::vector<Point> section(int cell, int plane) const
   {
-    const Coefficients& c = planes_[std::size_t(plane + sides_of_box)];
+    const Coefficients& c = planes_[std::size_t(plane + faces_of_box)];
     std::vector<Point> result;
     for(int f : cells_.facets_of(cell))
       for_each_edge(cells_.facet(f).vertices, [&](int u, int v) {
@@ -132,14 +132,14 @@ public:
   // plane does not cut the cell.
   void split(int cell, int plane)
   {
-    plane += sides_of_box;
-    sides_.clear();
+    plane += faces_of_box;
+    oriented_sides_.clear();
     int least = 0, most = 0;
     for(int f : cells_.facets_of(cell))
       for(int v : cells_.facet(f).vertices) {
-        const auto added = sides_.emplace(v, 0);
+        const auto added = oriented_sides_.emplace(v, 0);
         if(added.second)
-          added.first->second = side(v, plane);
+          added.first->second = oriented_side(v, plane);
         least = (std::min)(least, added.first->second);
         most = (std::max)(most, added.first->second);
       }
@@ -157,7 +157,7 @@ public:
   {
     Cells result = cells_;
     for(Facet& f : result.facets)
-      f.plane = (std::max)(f.plane - sides_of_box, none);
+      f.plane = (std::max)(f.plane - faces_of_box, none);
     return result;
   }
 
@@ -168,7 +168,7 @@ private:
     std::array<int, 2> planes;
     std::vector<int> facets;
   };
-  static constexpr int sides_of_box = 6; // their planes come first
+  static constexpr int faces_of_box = 6; // their planes come first
 
   void add_vertex(const std::array<int, 3>& of_planes)
   {
@@ -187,7 +187,7 @@ private:
   }
 
   // Of a vertex: -1, 0 or 1. Rational numbers decide where the rounded ones cannot.
-  int side(int vertex, int plane) const
+  int oriented_side(int vertex, int plane) const
   {
     constexpr double rounding = 1e-14; // of the sum, by its terms: more than a dozen of roundings
     const Point& p = cells_.points[std::size_t(vertex)];
@@ -208,7 +208,7 @@ private:
   bool has_side(int facet, int s) const
   {
     const std::vector<int>& loop = cells_.facet(facet).vertices;
-    return std::any_of(loop.begin(), loop.end(), [&](int v) { return sides_.at(v) == s; });
+    return std::any_of(loop.begin(), loop.end(), [&](int v) { return oriented_sides_.at(v) == s; });
   }
 
   void add_facet(const Facet& facet)
@@ -233,7 +233,7 @@ private:
     for(int f : cells_.facets_of(cell)) {
       const std::vector<int> loop = cells_.facet(f).vertices;
       for_each_edge(loop, [&](int u, int v) {
-        if(sides_.at(u) * sides_.at(v) < 0)
+        if(oriented_sides_.at(u) * oriented_sides_.at(v) < 0)
           split_edge(u, v, plane);
       });
     }
@@ -247,7 +247,7 @@ private:
     edges_.erase(at);
     const int w = int(cells_.points.size());
     add_vertex({edge.planes[0], edge.planes[1], plane});
-    sides_[w] = 0;
+    oriented_sides_[w] = 0;
     edges_[edge_of(u, w)] = edges_[edge_of(v, w)] = edge;
     for(int f : edge.facets) {
       std::vector<int>& loop = cells_.facets[std::size_t(f)].vertices;
@@ -265,10 +265,10 @@ private:
     const std::vector<int>& loop = whole.vertices;
     const std::size_t n = loop.size();
     std::size_t start = 0; // where the positive side begins
-    while(sides_.at(loop[start]) != 0 || sides_.at(loop[(start + 1) % n]) <= 0)
+    while(oriented_sides_.at(loop[start]) != 0 || oriented_sides_.at(loop[(start + 1) % n]) <= 0)
       ++start;
     std::size_t end = 1; // and where it ends, from there on
-    while(sides_.at(loop[(start + end) % n]) > 0)
+    while(oriented_sides_.at(loop[(start + end) % n]) > 0)
       ++end;
     Facet positive = {{}, whole.plane, whole.behind, whole.front};
     std::vector<int> negative;
@@ -304,7 +304,7 @@ private:
       const bool is_behind = facet.behind == cell;
       (is_behind ? facet.behind : facet.front) = other;
       for_each_edge(facet.vertices, [&](int u, int v) {
-        if(sides_.at(u) == 0 && sides_.at(v) == 0)
+        if(oriented_sides_.at(u) == 0 && oriented_sides_.at(v) == 0)
           next[is_behind ? v : u] = is_behind ? u : v;
       });
     }
@@ -318,7 +318,7 @@ private:
   Cells cells_; // with the numbers of these planes
   std::vector<Exact_point> exact_;
   std::map<Edge, Planes_and_facets> edges_;
-  std::map<int, int> sides_; // of the vertices of the cell that is split
+  std::map<int, int> oriented_sides_; // of the vertices of the cell that is split
 };
 
 // --- The cells of a box that planes cut: each plane cuts those that the hull of its points meets or is close to. So their

@@ -151,8 +151,8 @@ private:
                      const Ray_votes& rays)
   {
     const auto of = [&](const Covered_part& part) {
-      const double share = rays.share(part.places, to_front, plane);
-      return share < 0 ? -part.area : share > 0 ? part.area : 0;
+      const double balance = rays.balance(part.places, to_front, plane);
+      return balance < 0 ? -part.area : balance > 0 ? part.area : 0;
     };
     return of(covered.scanned) + worth_of_free * of(covered.assumed);
   }

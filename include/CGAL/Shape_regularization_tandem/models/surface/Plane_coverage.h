@@ -49,16 +49,16 @@ public:
     const double extent = (std::max)(box_.xmax() - box_.xmin(), box_.ymax() - box_.ymin());
     if(!(extent > 0))
       return;
-    side_ = (std::max)(resolution, extent / most_squares_across);
+    size_ = (std::max)(resolution, extent / most_squares_across);
     mark(points);
     const double places = double(squares_.size());
-    side_ = extent / 8;
+    size_ = extent / 8;
     for(int round = 0; round < rounds; ++round) {
       mark(points);
-      side_ = std::sqrt(places_in_a_square * double(squares_.size()) * side_ * side_ / places);
+      size_ = std::sqrt(places_in_a_square * double(squares_.size()) * size_ * size_ / places);
     }
     mark(points);
-    box_ = CGAL::Bbox_2(box_.xmin() - side_, box_.ymin() - side_, box_.xmax() + side_, box_.ymax() + side_);
+    box_ = CGAL::Bbox_2(box_.xmin() - size_, box_.ymin() - size_, box_.xmax() + size_, box_.ymax() + size_);
   }
 
   bool has(const Kernel::Point_2& p) const
@@ -71,13 +71,13 @@ public:
   // the convex hull have none.
   double area_of_point(const Kernel::Point_2& p, const std::vector<Kernel::Point_2>& hull) const
   {
-    if(!(side_ > 0))
+    if(!(size_ > 0))
       return 0;
     const auto square = squares_.find(square_of(p));
-    const Kernel::Point_2 center((std::floor(p.x() / side_) + .5) * side_, (std::floor(p.y() / side_) + .5) * side_);
+    const Kernel::Point_2 center((std::floor(p.x() / size_) + .5) * size_, (std::floor(p.y() / size_) + .5) * size_);
     if(square == squares_.end() || CGAL::bounded_side_2(hull.begin(), hull.end(), center) == CGAL::ON_UNBOUNDED_SIDE)
       return 0;
-    return side_ * side_ / square->second;
+    return size_ * size_ / square->second;
   }
 
 private:
@@ -88,7 +88,7 @@ private:
 
   Square square_of(const Kernel::Point_2& p) const
   {
-    const auto index = [&](double x) { return std::uint32_t(std::int32_t(std::floor(x / side_))); };
+    const auto index = [&](double x) { return std::uint32_t(std::int32_t(std::floor(x / size_))); };
     return Square(index(p.x())) << 32 | index(p.y());
   }
 
@@ -99,7 +99,7 @@ private:
       ++squares_[square_of(p)];
   }
 
-  double side_ = 0;
+  double size_ = 0;                         // width of a square
   std::unordered_map<Square, int> squares_; // with the number of their points
   CGAL::Bbox_2 box_;
 };
@@ -183,7 +183,7 @@ public:
   bool is_near_hull(const Point& p, double distance) const { return !separates(hull_, {flat(p)}, distance); }
 
   bool is_assumed(const Point& p) const { return is_assumed(flat(p)); }
-  double area_of_point(std::size_t i) const { return areas_[i]; } // its share of the covered area
+  double area_of_point(std::size_t i) const { return areas_[i]; } // its part of the covered area
 
   // Where a ray meets the plane.
   enum class Crossing { none, covered, assumed };
@@ -241,9 +241,9 @@ public:
       planes_.push_back(&plane);
   }
 
-  // Of rays from these places of one of the planes, the share that says that the front is outside and what is behind
-  // inside, less the share that says the opposite.
-  double share(const std::vector<Point>& places, const Vector& to_front, const Plane_coverage& plane) const
+  // Of rays from these places of one of the planes, the ratio that says that the front is outside and what is behind
+  // inside, less the ratio that says the opposite.
+  double balance(const std::vector<Point>& places, const Vector& to_front, const Plane_coverage& plane) const
   {
     constexpr std::size_t step = 97; // odd, so that all directions occur, and in no order
     if(places.empty())
@@ -251,7 +251,7 @@ public:
     int sum = 0;
     for(std::size_t r = 0; r < directions_.size(); ++r) {
       const Vector& direction = directions_[r * step % directions_.size()];
-      const int inside = side(places[r * places.size() / directions_.size()], direction, plane);
+      const int inside = votes(places[r * places.size() / directions_.size()], direction, plane);
       sum += direction * to_front > 0 ? -inside : inside;
     }
     return sum / double(directions_.size());
@@ -261,7 +261,7 @@ private:
   static constexpr int number_of_rays = 256;
 
   // Where a ray leaves to: 1 is inside, -1 outside, 0 unknown.
-  int side(const Point& start, const Vector& direction, const Plane_coverage& own) const
+  int votes(const Point& start, const Vector& direction, const Plane_coverage& own) const
   {
     int result = -1;
     for(const Plane_coverage* plane : planes_) {

@@ -54,11 +54,11 @@ public:
     Ray_votes rays(up_);
     rays.add_obstacles(planes_);
     rays.add_obstacles(walls);
-    std::vector<double> shares(walls.size());
-    for_each_in_parallel(walls.size(), [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
+    std::vector<double> ratios(walls.size());
+    for_each_in_parallel(walls.size(), [&](std::size_t w) { ratios[w] = ratio_of_rays(borders[w], rays, walls[w]); });
     const std::size_t most = planes_.size() + most_planes;
     for(std::size_t w = 0; w < walls.size(); ++w)
-      add_wall(borders[w], shares[w] > least_share, most);
+      add_wall(borders[w], ratios[w] > least_ratio, most);
   }
 
 private:
@@ -132,7 +132,7 @@ private:
   }
 
   // That say that it is between inside and outside.
-  double share_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
+  double ratio_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
   {
     constexpr int rows = 16;
     std::vector<Point> places;
@@ -140,7 +140,7 @@ private:
       for(int j = 0; j < rows; ++j)
         places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
                          (j + .5) / rows * border.drop * up_);
-    return std::fabs(rays.share(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
+    return std::fabs(rays.balance(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
   }
 
   // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
@@ -163,7 +163,7 @@ private:
   static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
   static constexpr std::size_t most_planes = 200;   // that are new
   static constexpr double shortest_wall = 5;        // times the distance within which two places are one
-  static constexpr double least_share = .25; // of rays: they say nothing of a border within a room or below a roof
+  static constexpr double least_ratio = .25; // of rays: they say nothing of a border within a room or below a roof
 
   std::vector<Plane_coverage>& planes_;
   Vector up_;
@@ -222,7 +222,7 @@ struct Surface_input {
     Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
   }
 
-  // The coplanar group of a plane; none if it has no points, or is a side of the box.
+  // The coplanar group of a plane; none if it has no points, or is a face of the box.
   int group(int plane) const
   {
     return plane >= 0 && std::size_t(plane) < groups.size() ? groups[std::size_t(plane)] : none;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How the part of the cloud in this process, a rank, is connected with the parts of other ranks. Each rank has
-// consecutive cells of the sorted cloud. Rows of neighbors also refer to points of other ranks: the ghosts, which follow
-// the own points in tables of points. The table of shapes is the same on all ranks. So after a pass over the points,
-// its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each rank makes
-// a share of the tests and fits.
+// consecutive cells of the sorted cloud. Rows of neighbors also refer to surfels of other ranks: the ghosts, which
+// follow the own surfels in tables of surfels. The table of shapes is the same on all ranks. So after a pass over the
+// surfels, its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each
+// rank makes its own items of the tests and fits.
 //
 // Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same operations for many.
 
@@ -62,8 +62,8 @@ struct Own_items {
   CGAL_TANDEM_HD bool has(std::size_t i) const { return i % ranks == rank; }
 };
 
-// The ghosts of one or several steps from neighbor to neighbor. The inner ones, which are in rows of own points, come
-// first in tables of points.
+// The ghosts of one or several steps from neighbor to neighbor. The inner ones, which are in rows of own surfels, come
+// first in tables of surfels.
 enum class Rings { inner, all };
 
 template <class Backend>

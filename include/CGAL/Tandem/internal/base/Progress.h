@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The progress of a detection, as the caller's callback sees it. The shares are guesses of time: those of stages that
-// are not needed are passed over.
+// The progress of a detection, as the caller's callback sees it. The fractions are guesses of time: those of stages
+// that are not needed are passed over.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
 #define CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
@@ -18,30 +18,30 @@ class Progress {
 public:
   explicit Progress(Callback callback = Callback()) : callback_(std::move(callback)) {}
 
-  // Calls the callback, with a share that never falls. Returns whether the detection goes on: not after the callback
+  // Calls the callback, with a fraction that never falls. Returns whether the detection goes on: not after the callback
   // has returned false, which is the last time that it is called. What it throws passes through.
-  bool show(double share)
+  bool show(double fraction)
   {
-    share_ = (std::max)(share_, share);
+    fraction_ = (std::max)(fraction_, fraction);
     if(callback_ && !is_cancelled_)
       is_cancelled_ = !call();
     return !is_cancelled_;
   }
 
-  // Calls the callback with a share of a stage. Returns whether the detection goes on.
-  bool show(Detection_stage stage, double share)
+  // Calls the callback with a fraction of a stage. Returns whether the detection goes on.
+  bool show(Detection_stage stage, double fraction)
   {
     const double first = first_progress(stage), last = first_progress(Detection_stage(int(stage) + 1));
-    return show(first + share * (last - first));
+    return show(first + fraction * (last - first));
   }
 
-  // Calls the callback before a round, with a guess of the share, since the number of rounds is not known before.
+  // Calls the callback before a round, with a guess of the fraction, since the number of rounds is not known before.
   bool show_rounds(double rounds) { return show(Detection_stage::rounds, 1 - 8 / (8 + rounds)); }
 
   // Calls the callback for the last time. What it returns changes nothing any more.
   void show_end()
   {
-    share_ = 1;
+    fraction_ = 1;
     if(callback_ && !is_cancelled_)
       call();
   }
@@ -55,13 +55,13 @@ private:
   bool call()
   {
     has_thrown_ = true;
-    const bool goes_on = callback_(share_);
+    const bool goes_on = callback_(fraction_);
     has_thrown_ = false;
     return goes_on;
   }
 
   Callback callback_;
-  double share_ = 0;
+  double fraction_ = 0;
   bool is_cancelled_ = false;
   bool has_thrown_ = false;
 };

@@ -186,7 +186,7 @@ CGAL_TANDEM_HD inline std::uint32_t encode_normal(const Vector& n)
   std::int32_t v = std::int32_t(llrint(sign * n.y / sum * 32767));
   std::int32_t au = u < 0 ? -u : u;
   std::int32_t av = v < 0 ? -v : v;
-  if(au + av > 32767 || n.z == 0) { // both were rounded up, or the direction lies on the seam
+  if(au + av > 32767 || n.z == 0) { // both were rounded up, or the direction lies on the border
     av = 32767 - au;
     v = n.y < 0 ? -av : av;
     v = sign < 0 ? -v : v;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks of successive points, and which blocks have neighbors of their points. So a pass can leave out blocks around
+// Blocks of successive surfels, and which blocks have neighbors of their surfels. So a pass can leave out blocks around
 // which nothing has changed.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
@@ -19,7 +19,7 @@ using Block_entries = std::uint16_t;
 // The blocks that have neighbors of one block, itself first. There are too many to be listed, or some belong to another
 // rank, if `size` exceeds the capacity.
 struct Block_row {
-  static constexpr std::uint32_t points = 64, capacity = 15;
+  static constexpr std::uint32_t surfels = 64, capacity = 15;
   static constexpr Block_entries all = 0x7fff;
   std::uint32_t size;
   std::uint32_t block[capacity];
@@ -42,22 +42,22 @@ struct Block_row {
   }
 };
 
-CGAL_TANDEM_HD inline std::size_t number_of_blocks(std::size_t points)
+CGAL_TANDEM_HD inline std::size_t number_of_blocks(std::size_t surfels)
 {
-  return (points + Block_row::points - 1) / Block_row::points;
+  return (surfels + Block_row::surfels - 1) / Block_row::surfels;
 }
 
-CGAL_TANDEM_HD inline Range points_of_block(std::uint32_t b, std::uint32_t points)
+CGAL_TANDEM_HD inline Range surfels_of_block(std::uint32_t b, std::uint32_t surfels)
 {
-  const std::uint32_t first = b * Block_row::points;
-  return {first, points - first < Block_row::points ? points : first + Block_row::points};
+  const std::uint32_t first = b * Block_row::surfels;
+  return {first, surfels - first < Block_row::surfels ? surfels : first + Block_row::surfels};
 }
 
-// By groups of lanes: each lane has a point.
+// By groups of lanes: each lane has a surfel.
 struct Make_block_row {
   Cloud_view cloud;
   Block_row* row;
-  Block_entries* of_point; // those that have its neighbors, or itself
+  Block_entries* of_surfel; // those that have its neighbors, or itself
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const
   {
@@ -66,13 +66,13 @@ struct Make_block_row {
       r.size = 0;
       r.add(std::uint32_t(b));
     });
-    const Range points = points_of_block(std::uint32_t(b), cloud.size);
-    for(std::uint32_t i = points.first; i < points.last; i += Lane_group::size())
-      add_neighbors(r, i + Lane_group::rank(), points.last);
+    const Range surfels = surfels_of_block(std::uint32_t(b), cloud.size);
+    for(std::uint32_t i = surfels.first; i < surfels.last; i += Lane_group::size())
+      add_neighbors(r, i + Lane_group::rank(), surfels.last);
   }
 
 private:
-  // Of the point of each lane, if it is before the last one.
+  // Of the surfel of each lane, if it is before the last one.
   CGAL_TANDEM_HD void add_neighbors(Block_row& r, std::uint32_t i, std::uint32_t last) const
   {
     Block_entries entries = 1;
@@ -83,8 +83,8 @@ private:
       if(Lane_group::count(is_any) == 0)
         break;
       const bool is_ghost = is_any && neighbor[j] >= cloud.size;
-      const std::uint64_t b = is_any ? neighbor[j] / Block_row::points : i / Block_row::points;
-      const bool is_other = is_ghost || b != i / Block_row::points;
+      const std::uint64_t b = is_any ? neighbor[j] / Block_row::surfels : i / Block_row::surfels;
+      const bool is_other = is_ghost || b != i / Block_row::surfels;
       if(Lane_group::count(is_other) == 0)
         continue;
       if(Lane_group::count(is_ghost) > 0)
@@ -100,19 +100,19 @@ private:
       entries = Block_entries(entries | entry);
     }
     if(i < last)
-      of_point[i] = entries;
+      of_surfel[i] = entries;
   }
 };
 
 template <class Backend>
 struct Block_rows {
   Buffer_of<Backend, Block_row> row;
-  Buffer_of<Backend, Block_entries> of_point;
+  Buffer_of<Backend, Block_entries> of_surfel;
 
   Block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
-    : row(number_of_blocks(cloud.number_of_surfels())), of_point(cloud.number_of_surfels())
+    : row(number_of_blocks(cloud.number_of_surfels())), of_surfel(cloud.number_of_surfels())
   {
-    for_each_by_group(backend, row.size(), Make_block_row{cloud.view(), row.data(), of_point.data()});
+    for_each_by_group(backend, row.size(), Make_block_row{cloud.view(), row.data(), of_surfel.data()});
   }
 };
 

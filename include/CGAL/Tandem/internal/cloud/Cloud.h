@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
-// preparation no stage changes it, but for estimated normals: near edges (choose_sides.h), and those that points take from
-// their surfels (exact_check.h).
+// preparation no stage changes it, but for estimated normals: near edges (choose_edge_sides.h), and those that points
+// take from their surfels (exact_check.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
@@ -22,10 +22,10 @@ struct Grid {
 
 // The cells whose points are one surfel. Where points have tolerances of their own, cells are smaller in each octave.
 struct Surfel_cells {
-  double edge = 0; // of the largest ones, in steps; 0: each point is a surfel
-  int octaves = 0; // of smaller ones
+  double width_steps = 0; // of the largest ones; 0: each point is a surfel
+  int octaves = 0;        // of smaller ones
 
-  double smallest_edge() const { return std::ldexp(edge, -octaves); }
+  double smallest_width_steps() const { return std::ldexp(width_steps, -octaves); }
 };
 
 // The plane in the caller's coordinates, with the same normal. It is 0. - fma(...) and not -fma(...): where g++ fuses
@@ -47,7 +47,7 @@ inline Regular_plane to_grid(const Coefficients& c, const Grid& grid)
 // then by position.
 struct Cloud_view {
   const Grid_point* point;
-  const std::uint32_t* neighbor; // k consecutive entries a point: positions in this order, no_index if none
+  const std::uint32_t* neighbor; // k consecutive entries a surfel: positions in this order, no_index if none
   std::uint32_t size;
   int k;
   Surfels_view surfels;

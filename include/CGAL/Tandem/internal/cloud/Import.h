@@ -135,7 +135,7 @@ struct Coordinate_box {
     }
   }
 
-  // The longest side; -infinity for an empty box.
+  // The largest width along an axis; -infinity for an empty box.
   double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
 };
 

@@ -17,7 +17,7 @@
 namespace CGAL::Tandem::internal {
 
 // The level of octants that are not split, however many points they have: that of the curve, or the one with as many
-// surfels as a cell may have, each cube of them with all six sides. Larger cubes are at most a seventh more within the
+// surfels as a cell may have, each cube of them with all six faces. Larger cubes are at most a seventh more within the
 // octant, and one of each size around it.
 inline int last_level(const Code_frame& frame, std::size_t cell_size)
 {
@@ -44,7 +44,7 @@ inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<R
     cells.push_back({first, (std::min)(first + std::uint32_t(cell_size), leaf.last)});
 }
 
-// A cube of 2^(21 - level) finest octants a side: codes from `code` on.
+// A cube, 2^(21 - level) finest octants wide: codes from `code` on.
 struct Octant {
   std::uint64_t code;
   std::uint64_t total; // points, of all ranks

@@ -89,7 +89,7 @@ inline int octaves_of_tolerances(const Import& in, double epsilon)
 }
 
 // Fills in.grid and the corners of the box on the grid. Rounding is monotone, so all points lie between them.
-// surfel_size: a share of epsilon; 0: each point is a surfel.
+// surfel_size: a fraction of epsilon; 0: each point is a surfel.
 inline void choose_grid(Import& in, double epsilon, double surfel_size = 0)
 {
   if(!(in.box.extent() >= 0))

@@ -15,10 +15,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// The value that a share of the values of all ranks is below: byte by byte, from counts, which do not depend on the order
-// of the values. There has to be one.
+// The value that a ratio of the values of all ranks is below: byte by byte, from counts, which do not depend on the
+// order of the values. There has to be one.
 template <class Ranks, class F>
-double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Ratio& share)
+double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning::Ratio& ratio)
 {
   std::uint64_t rank = 0, found = 0;
   for(int bits = 56; bits >= 0; bits -= 8) {
@@ -32,7 +32,7 @@ double quantile_of_all(const Ranks& ranks, std::size_t n, F value, const tuning:
     if(bits == 56) {
       for(const std::uint64_t c : count)
         rank += c;
-      rank = std::uint64_t(share.of(std::int64_t(rank)));
+      rank = std::uint64_t(ratio.of(std::int64_t(rank)));
     }
     std::uint64_t digit = 0;
     for(; digit < 255 && rank >= count[digit]; ++digit)
@@ -62,7 +62,7 @@ void drop_far_points(const Ranks& ranks, Import& in, double epsilon)
   std::size_t far = 0;
   for(std::size_t i = 0; i < in.size(); ++i)
     far += !is_near(i);
-  if(tuning::grid::far_share.is_exceeded(std::int64_t(ranks.total(far)), std::int64_t(in.total.points)))
+  if(tuning::grid::far_ratio.is_exceeded(std::int64_t(ranks.total(far)), std::int64_t(in.total.points)))
     return;
   in.keep_if(is_near);
   in.number_of_far_points += far;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfels: the points of one cell of a grid whose normals point to one side, as one point at their centroid with their
-// mean normal. So what is near is known by lengths, whatever the number of points there, and copies of points are one.
-// See the manual, "Surfels".
+// Surfels: the points of one cell of a grid whose normals point to one face of it, as one point at their centroid with
+// their mean normal. So what is near is known by lengths, whatever the number of points there, and copies of points are
+// one. See the manual, "Surfels".
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_MAKE_SURFELS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_MAKE_SURFELS_H

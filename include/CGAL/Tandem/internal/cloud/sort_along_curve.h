@@ -89,8 +89,8 @@ CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t 
   return interleave_octants(x, y, z);
 }
 
-// The side that a normal points to, of the six of a cube; 0 without a normal.
-CGAL_TANDEM_HD inline std::uint32_t side_of(std::uint32_t normal)
+// The face that a normal points to, of the six of a cube; 0 without a normal.
+CGAL_TANDEM_HD inline std::uint32_t face_of(std::uint32_t normal)
 {
   const Int_vector n = decode_normal(normal);
   const std::int32_t x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
@@ -99,12 +99,12 @@ CGAL_TANDEM_HD inline std::uint32_t side_of(std::uint32_t normal)
   return (is_x ? 0u : is_y ? 2u : 4u) + (largest < 0);
 }
 
-// The root of the octree: a cube of 2^21 finest octants a side around the cloud. A finest octant is 2^shift steps wide.
+// The root of the octree: a cube around the cloud, 2^21 finest octants wide. A finest octant is 2^shift steps wide.
 // Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
 //
-// With surfels the root has 2^20 of their cells a side, and a finest octant is the part of a cell with normals to one
-// side. 2^shift is at least half the edge of a cell then. Points of small tolerances are in the smallest cells; in each
-// octave of larger ones, cells are twice as wide.
+// With surfels the root is 2^20 of their cells wide, and a finest octant is the part of a cell with normals to one
+// face. 2^shift is at least half the width of a cell then. Points of small tolerances are in the smallest cells;
+// in each octave of larger ones, cells are twice as wide.
 struct Code_frame {
   std::int32_t low[3];
   int shift;
@@ -117,7 +117,7 @@ struct Code_frame {
   CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p, std::uint8_t level = 0) const
   {
     if(has_surfels())
-      return surfel_code(hilbert_code(2 * cell(p.x, 0), 2 * cell(p.y, 1), 2 * cell(p.z, 2)), side_of(p.normal), level);
+      return surfel_code(hilbert_code(2 * cell(p.x, 0), 2 * cell(p.y, 1), 2 * cell(p.z, 2)), face_of(p.normal), level);
     return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
                         std::uint32_t(p.z - low[2]) >> shift);
   }
@@ -132,14 +132,14 @@ struct Code_frame {
   }
 
 private:
-  // From the code of the smallest cell around a point: that of its own cell, and its side as the octant below. Digits of
-  // 6 below that are the mark of larger cells.
-  CGAL_TANDEM_HD std::uint64_t surfel_code(std::uint64_t code, std::uint32_t side, std::uint8_t level) const
+  // From the code of the smallest cell around a point: that of its own cell, and its face as the octant below. Digits
+  // of 6 below that are the mark of larger cells.
+  CGAL_TANDEM_HD std::uint64_t surfel_code(std::uint64_t code, std::uint32_t face, std::uint8_t level) const
   {
     const int octave = octave_of(level) < octaves ? octave_of(level) : octaves;
     const int bits = 3 * (octaves - octave);
     const std::uint64_t below = std::uint64_t(1) << bits;
-    return (code & ~(8 * below - 1)) | std::uint64_t(side) << bits | (below - 1) / 7 * 6;
+    return (code & ~(8 * below - 1)) | std::uint64_t(face) << bits | (below - 1) / 7 * 6;
   }
 
   CGAL_TANDEM_HD std::uint32_t cell(std::int32_t x, int axis) const
@@ -149,7 +149,7 @@ private:
 };
 
 // The smallest frame around all points between two corners. There are no surfels where there would be more than 2^20 of
-// the smallest cells a side.
+// the smallest cells along an axis.
 inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high, const Surfel_cells& surfels = {})
 {
   Code_frame frame = {{low.x, low.y, low.z}, 0};
@@ -157,11 +157,11 @@ inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high,
     (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
   while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
-  const double edge = surfels.smallest_edge();
-  if(edge > 0 && double(extent) / edge < double((1 << (curve_bits - 1)) - 1)) {
-    frame.cells_per_step = 1 / edge;
+  const double width_steps = surfels.smallest_width_steps();
+  if(width_steps > 0 && double(extent) / width_steps < double((1 << (curve_bits - 1)) - 1)) {
+    frame.cells_per_step = 1 / width_steps;
     frame.octaves = surfels.octaves;
-    frame.shift = (std::max)(std::ilogb(edge), 0);
+    frame.shift = (std::max)(std::ilogb(width_steps), 0);
   }
   return frame;
 }

@@ -169,7 +169,7 @@ void release_cuda_memory()
 
 Device_work cuda_work_of_thread() { return Device_work::of_thread(); }
 
-// Free memory of the device counts, and unused memory of the pool. Tables of cells and shapes have a fixed share; those
+// Free memory of the device counts, and unused memory of the pool. Tables of cells and shapes have a fixed part; those
 // of points have bytes a point: see memory_use.h.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
 {

@@ -11,11 +11,11 @@
 // - It begins with update_tables() of what it reads of what follows from labels: lists of cells, moments, fits. It gets
 //   labels that it changes from change_labels(), and says which of these tables it keeps right. Add it to
 //   test_requests.cpp, which runs each stage where all of these are out of date.
-// - Loops over points and shapes are functors marked CGAL_TANDEM_HD on buffers of the back end, and bodies of a cell
+// - Loops over surfels and shapes are functors marked CGAL_TANDEM_HD on buffers of the back end, and bodies of a cell
 //   are written on Block, so that a device runs them. A copy to the host waits: only what the host decides on crosses,
 //   once a step. Steps that are repeated until nothing changes are run by run_rounds(), as those of Mutual_unions.h.
 //   Items that take long are for a Lane_group.
-// - A rank has its own points only, and the whole table of shapes. After a pass, sum_deltas() adds up what the ranks
+// - A rank has its own surfels only, and the whole table of shapes. After a pass, sum_deltas() adds up what the ranks
 //   have changed in that table, and refresh_labels() renews the labels of ghosts. Long loops over shapes are shared by
 //   own_items() and gather(). Code for many ranks only stands under `if constexpr(Ranks<Backend>::are_many)`.
 // - The score decides what is better, not a threshold. Thresholds that remain are in base/tuning, with their unit,
@@ -83,7 +83,7 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
 }
 
 // Runs the passes of growth of a round; returns the number of points that got a shape. Young rounds have one pass: with
-// more, faces are lost under noise. Later rounds have further passes as long as many cells have untried seeds; slow
+// more, faces are missed under noise. Later rounds have further passes as long as many cells have untried seeds; slow
 // rounds, as long as any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge
 // the table of shapes in each round. See the manual, "Growth" and "End of the Loop".
 template <class Backend>
@@ -217,7 +217,7 @@ bool Engine<Backend>::iterate()
   progress_.show_rounds(state_.round + .4);
 
   Stage_timer regularity(times_.regularity);
-  // The points of fragments are free for other shapes, but are no seeds any more.
+  // The surfels of fragments are free for other shapes, but are no seeds any more.
   drop_shapes(points, shapes, Is_fragment{options.minimum_fragment_size});
   auto links = collect_links(points, shapes, Links::changed, Phase::loop);
   relations_ = relate_shapes(links);

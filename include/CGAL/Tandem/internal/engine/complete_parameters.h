@@ -28,7 +28,7 @@ inline std::size_t estimate_minimum_region_size(std::size_t points)
 inline bool has_noise(const Cloud_measure& m)
 {
   using namespace tuning::estimation;
-  return m.noise > least_noise_per_spacing * m.spacing && m.bends < bent_share;
+  return m.noise > least_noise_per_spacing * m.spacing && m.bends < bent_ratio;
 }
 
 // The epsilon for a cloud: from the spacing, but between two multiples of the noise.
@@ -59,17 +59,17 @@ inline double estimate_maximum_distance(const Import& in, const Cloud_measure& m
 inline Distance_estimate describe_compromise(const Cloud_measure& m)
 {
   using namespace tuning::estimation;
-  const auto percent = [](double share) { return to_text(std::lround(100 * share)) + " %"; };
+  const auto percent = [](double ratio) { return to_text(std::lround(100 * ratio)) + " %"; };
   if(m.places < minimum_places)
     return {};
   if(m.patch.empty())
     return {"No surface was found to measure the noise on: there may be none, or the noise exceeds the size of the "
             "faces."};
-  if(has_noise(m) && m.exact > compromise_share)
+  if(has_noise(m) && m.exact > compromise_ratio)
     return {percent(m.exact) +
             " of the points lie exactly on planes with their nearest neighbors, but not with more of "
             "them: coordinates are in steps, which the estimated maximum_distance is meant to cover."};
-  if(m.sheets > compromise_share)
+  if(m.sheets > compromise_ratio)
     return {percent(m.sheets) +
             " of the surfaces have a second one close to them, and the estimate keeps the two apart: "
             "if they are one, as in scans that do not match, give a larger maximum_distance."};

@@ -3,7 +3,7 @@
 //
 // The sorted cloud, and the neighbor graph on which shapes grow, and by which a result is checked: of surfels, on both sides of thin walls
 // apart. Fills the rows of the cloud, with ghosts, and joins surfels. See the manual, "Surfels" and
-// "Sides of Walls".
+// "Wall Sides".
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_CONNECT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_CONNECT_CLOUD_H
@@ -12,9 +12,9 @@
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/make_surfels.h>
+#include <CGAL/Tandem/internal/neighbors/cut_wall_sides.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/join_surfels.h>
-#include <CGAL/Tandem/internal/neighbors/keep_to_sides.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 #include <vector>
@@ -101,7 +101,7 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
   if(join_surfels(points.backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
     find_rows(points, rings);
   if(in.has_normals)
-    keep_to_sides(points.backend, points.ranks, points.cloud, tight);
+    cut_wall_sides(points.backend, points.ranks, points.cloud, tight);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -75,8 +75,8 @@ template <class Backend>
 Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes);
 
 template <class Backend>
-Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
-                              Regularity_parameters options, std::vector<Coefficients>& planes);
+Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of, Parameters p,
+                              std::vector<Coefficients>& planes);
 
 } // namespace CGAL::Tandem::internal
 

@@ -43,11 +43,11 @@ std::vector<double> estimate_local_distances(Backend& backend, const Import& in)
   const double estimate = (m.varies ? local_margin : 1) * estimate_maximum_distance(in, m);
   const bool is_local = has_noise(m);
   const double high = m.varies ? m.high_noise : m.largest_noise;
-  const double most = is_local ? (std::min)(high / m.noise, largest_local_ratio) : 1;
+  const double most = is_local ? (std::min)(high / m.noise, largest_local_factor) : 1;
   const Patch_tree tree(is_local ? smoothed(backend, Patch_tree(m.patch)) : std::vector<Patch_noise>());
   backend.for_each_on_host(in.size(), [&](std::size_t i) {
     const double ratio = is_local ? noise_at(tree, in.position(i)) / m.noise : 1;
-    distance[in.item_of(i)] = bounded_length(estimate * (std::min)((std::max)(ratio, 1 / largest_local_ratio), most));
+    distance[in.item_of(i)] = bounded_length(estimate * (std::min)((std::max)(ratio, 1 / largest_local_factor), most));
   });
   return distance;
 }

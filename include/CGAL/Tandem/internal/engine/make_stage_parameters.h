@@ -17,22 +17,22 @@
 
 namespace CGAL::Tandem::internal {
 
-// The bounds of a test of points; the distance is in grid steps. The result is rounded to integers once, so that all
-// tests of points are exact. epsilon: the part of the distance that is less for points of smaller tolerances.
-inline Tolerance make_tolerance(double distance, double cosine, double epsilon)
+// The bounds of a test of points. They are rounded to integers once, so that all tests of points are exact.
+// epsilon_steps: the part of the distance that is less for points of smaller tolerances.
+inline Tolerance make_tolerance(double distance_steps, double cosine, double epsilon_steps)
 {
-  const std::int64_t units = llrint(distance * normal_scale);
+  const std::int64_t units = llrint(distance_steps * normal_scale);
   return {units, std::int64_t(llrint(cosine * cosine * 4294967296.0)),
-          units - std::int64_t(llrint(epsilon * normal_scale))};
+          units - std::int64_t(llrint(epsilon_steps * normal_scale))};
 }
-inline Tolerance make_tolerance(double distance, double cosine) { return make_tolerance(distance, cosine, distance); }
+inline Tolerance make_tolerance(double steps, double cosine) { return make_tolerance(steps, cosine, steps); }
 
-// The largest error of an integer distance, in steps: of rounded points and planes, and of an origin far from zero,
-// whose offset is rounded in the caller's coordinates.
-inline double distance_margin(const Grid& grid)
+// The largest error of an integer distance: of rounded points and planes, and of an origin far from zero, whose offset
+// is rounded in the caller's coordinates.
+inline double distance_margin_steps(const Grid& grid)
 {
   const double size = std::fabs(grid.origin.x) + std::fabs(grid.origin.y) + std::fabs(grid.origin.z);
-  return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin);
+  return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin_steps);
 }
 
 // How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells, and
@@ -60,25 +60,25 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
   Stage_parameters o;
   const double step = in.grid.step;
   const double cosine = cosine_deg(p.maximum_angle);
-  o.maximum_distance = p.maximum_distance / step;
+  o.maximum_distance_steps = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
-  o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_share.of(o.minimum_region_size));
+  o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_ratio.of(o.minimum_region_size));
   o.minimum_fragment_size =
     (std::min)(o.minimum_region_size,
-               (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size)));
-  o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
-  o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
-                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
+               (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_ratio.of(o.minimum_region_size)));
+  o.growth = make_growth_options(p, make_tolerance(o.maximum_distance_steps, cosine));
+  o.tight = make_tolerance(o.maximum_distance_steps * tuning::growth::tight_distance_fraction,
+                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_fraction));
   o.score = Score(p);
   o.regularity = make_regularity_options(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
-  const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);
-  o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle), o.maximum_distance);
+  const double certain_steps = (std::max)(o.maximum_distance_steps - distance_margin_steps(in.grid), -1.);
+  o.certain = make_tolerance(certain_steps, cosine_deg(certain_angle), o.maximum_distance_steps);
   const double possible_angle = (std::min)(p.maximum_angle + tuning::exactness::packing_margin_deg, 90.);
-  const double possible_distance = (std::min)(o.maximum_distance + distance_margin(in.grid), double(1 << 30));
-  o.possible = make_tolerance(possible_distance, cosine_deg(possible_angle), o.maximum_distance);
+  const double possible_steps = (std::min)(o.maximum_distance_steps + distance_margin_steps(in.grid), double(1 << 30));
+  o.possible = make_tolerance(possible_steps, cosine_deg(possible_angle), o.maximum_distance_steps);
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   o.has_estimated_normals = !in.has_normals;

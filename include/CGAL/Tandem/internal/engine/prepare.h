@@ -28,7 +28,7 @@ namespace CGAL::Tandem::internal {
 // that their signatures show what they may change.
 
 // These parameters are constant after prepare(), but for the seeds in flight. Between rounds, labels are ids of live shapes, or
-// the point is free. Moments are those of the points with that label.
+// the surfel is free. Moments are those of the points with that label.
 template <class Backend>
 struct Tandem_state {
   explicit Tandem_state(Backend& backend) : points(backend) {}
@@ -67,7 +67,7 @@ private:
   bool is_running_ = true;
 };
 
-// Makes points free, and clears their states.
+// Makes surfels free, and clears their states.
 struct Free_all {
   Labels_view labels;
 
@@ -78,7 +78,7 @@ struct Free_all {
   }
 };
 
-// Starts without shapes: afterwards no point has one, and the lists of the cells are empty.
+// Starts without shapes: afterwards no surfel has one, and the lists of the cells are empty.
 template <class Backend>
 void clear_labels(Labeled_cloud<Backend>& points)
 {
@@ -116,7 +116,8 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     if(!progress.show(Detection_stage::normals, 0))
       return false;
     Stage_timer normals(times.normals);
-    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance, points.ranks);
+    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance_steps,
+                     points.ranks);
     backend.wait();
   }
 

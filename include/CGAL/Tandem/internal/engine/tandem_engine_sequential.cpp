@@ -17,7 +17,7 @@ template std::string set_scale(Sequential_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 template Shapes_data export_shapes(Sequential_backend&, const Import&, const Parameters&, const Engine_result&);
 template Point_groups group_points(Sequential_backend&, const std::int32_t*, std::size_t, std::size_t);
-template Plane_relations relate_planes(Sequential_backend&, Import&, const std::vector<int>&, Regularity_parameters,
+template Plane_relations relate_planes(Sequential_backend&, Import&, const std::vector<int>&, Parameters,
                                        std::vector<Coefficients>&);
 
 template void start_import<float>(Import&, std::size_t, bool);

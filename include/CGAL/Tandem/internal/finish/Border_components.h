@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Components of points that lie on several ranks. A ghost and its owner's point are one point, so they join a component
-// here with one there: these pairs are few, and each rank joins all of them. One process has none of them.
+// Components of surfels that lie on several ranks. A ghost and its owner's surfel are one surfel, so they join a
+// component here with one there: these pairs are few, and each rank joins all of them. One process has none of them.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
@@ -20,8 +20,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// A union-find of points of any rank, by their numbers. The smallest one of a set is its root.
-class Point_sets {
+// A union-find of surfels of any rank, by their numbers. The smallest one of a set is its root.
+class Surfel_sets {
 public:
   struct Edge {
     std::uint64_t a, b;
@@ -30,7 +30,7 @@ public:
     bool operator==(const Edge& e) const { return a == e.a && b == e.b; }
   };
 
-  explicit Point_sets(const std::vector<Edge>& edges)
+  explicit Surfel_sets(const std::vector<Edge>& edges)
   {
     for(const Edge& e : edges) {
       point_.push_back(e.a);
@@ -46,7 +46,7 @@ public:
 
   std::size_t size() const { return point_.size(); }
   std::uint64_t point(std::size_t i) const { return point_[i]; }
-  std::uint64_t root_point(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
+  std::uint64_t root_surfel(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
 
 private:
   std::uint32_t place(std::uint64_t point) const
@@ -72,22 +72,22 @@ class Border_components {
 public:
   Border_components(Backend& backend, const Ranks<Backend>& ranks) : backend_(backend), ranks_(ranks) {}
 
-  // component: by point, its root on this rank, where roots are the smallest places; inner ghosts have entries.
-  // Afterwards parts of one component on this rank have one root. label: with marks for free points.
+  // component: by surfel, its root on this rank, where roots are the smallest places; inner ghosts have entries.
+  // Afterwards parts of one component on this rank have one root. label: with marks for free surfels.
   void find(const Cloud_view& cloud, const std::uint32_t* label, std::uint32_t* component)
   {
     if constexpr(Ranks<Backend>::are_many) {
       const std::size_t n = cloud.size + ranks_.ghosts(Rings::inner);
       const Host_view<Backend, const std::uint32_t> labels(backend_, label, n);
       Host_view<Backend, std::uint32_t> roots(backend_, component, n);
-      const std::vector<Point_sets::Edge> edges = joined_components(cloud.size, n, labels.data(), roots.data());
-      take_sets(Point_sets(ranks_.gather(edges)), n, roots.data());
+      const std::vector<Surfel_sets::Edge> edges = joined_components(cloud.size, n, labels.data(), roots.data());
+      take_sets(Surfel_sets(ranks_.gather(edges)), n, roots.data());
       roots.write_back();
     }
   }
 
-  // size: by root, of the n points of this rank; becomes that of the whole component. Larger ones than 32 bits can hold
-  // become the largest number.
+  // size: by root, of the n surfels of this rank; becomes that of the whole component. Larger ones than 32 bits can
+  // hold become the largest number.
   void sum_sizes(std::size_t n, std::uint32_t* size)
   {
     if constexpr(Ranks<Backend>::are_many) {
@@ -108,15 +108,15 @@ public:
     }
   }
 
-  // The number of the smallest point of the component with this root on this rank.
+  // The number of the smallest surfel of the component with this root on this rank.
   std::uint64_t global_root(std::uint32_t root) const
   {
     const Border_component* const border = at(root);
     return border != nullptr ? border->global_root : ranks_.number(root);
   }
 
-  // own: large components with points on this rank, by root. Returns those of all ranks, in the order of their global
-  // roots. The root is no_index where they have no point on this rank.
+  // own: large components with surfels on this rank, by root. Returns those of all ranks, in the order of their global
+  // roots. The root is no_index where they have no surfel on this rank.
   std::vector<Component> join_large(std::vector<Component> own) const
   {
     if constexpr(!Ranks<Backend>::are_many)
@@ -143,11 +143,11 @@ public:
 private:
   struct Border_component {
     std::uint32_t root;        // the smallest position on this rank
-    std::uint64_t global_root; // the number of the smallest point of all ranks
+    std::uint64_t global_root; // the number of the smallest surfel of all ranks
     std::uint64_t size;        // of the whole component, after sum_sizes()
   };
 
-  // The points of a component on one rank.
+  // The surfels of a component on one rank.
   struct Part {
     std::uint64_t global_root, size;
 
@@ -173,14 +173,14 @@ private:
   }
 
   // The pairs of components that share a ghost. The first ghost is at `first`.
-  std::vector<Point_sets::Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
-                                                  const std::uint32_t* component) const
+  std::vector<Surfel_sets::Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
+                                                   const std::uint32_t* component) const
   {
     std::vector<Joined> joined;
     for(std::size_t g = first; g < n; ++g)
       if(label[g] < first_mark)
         joined.push_back({ranks_.number(component[g]), g});
-    std::vector<Point_sets::Edge> edges;
+    std::vector<Surfel_sets::Edge> edges;
     for(const Joined& j : ranks_.to_owners(joined))
       edges.push_back({j.component, ranks_.number(component[j.index])});
     std::sort(edges.begin(), edges.end());
@@ -188,13 +188,13 @@ private:
     return edges;
   }
 
-  void take_sets(Point_sets sets, std::size_t n, std::uint32_t* component)
+  void take_sets(Surfel_sets sets, std::size_t n, std::uint32_t* component)
   {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> roots; // global root, and a root of this rank
     for(std::size_t i = 0; i < sets.size(); ++i) {
       const std::uint32_t index = std::uint32_t(sets.point(i));
       if(is_own(sets.point(i)) && component[index] == index)
-        roots.emplace_back(sets.root_point(i), index);
+        roots.emplace_back(sets.root_surfel(i), index);
     }
     std::sort(roots.begin(), roots.end());
     borders_.clear();

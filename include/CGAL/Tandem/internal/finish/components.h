@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components of the points of each shape: which pieces of a plane become separate shapes. Two points are
-// adjacent if one is a neighbor of the other, or both are neighbors of one point. Reads labels and neighbors and writes
-// one table of roots. See the manual, "Components".
+// Connected components of the surfels of each shape: which pieces of a plane become separate shapes. Two surfels are
+// adjacent if one is a neighbor of the other, or both are neighbors of one surfel. Reads labels and neighbors and
+// writes one table of roots. See the manual, "Components".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
@@ -25,7 +25,7 @@ namespace CGAL::Tandem::internal {
 // Reads labels and components, changes nothing.
 
 // Adds the labeled points of each cell to their components: size[r] for the root r. Counts are gathered in the cell
-// first, because all points of a face have the same root. Integer sums, so the order does not matter.
+// first, because all surfels of a face have the same root. Integer sums, so the order does not matter.
 template <class Backend>
 struct Count_components {
   const Range* cells;
@@ -48,7 +48,7 @@ struct Count_components {
   }
 };
 
-// The roots of the components that are large enough. A free point is a root of its own, and excluded by its label.
+// The roots of the components that are large enough. A free surfel is a root of its own, and excluded by its label.
 struct Is_large_root {
   const std::uint32_t* label;
   const std::uint32_t* component;
@@ -119,21 +119,21 @@ struct Cell_parents {
   }
 };
 
-// The edges of the graph whose components are searched, row by row of the neighbor graph. The points of a row with one
-// label are adjacent in pairs. A star around the first of them connects the same points with fewer edges.
+// The edges of the graph whose components are searched, row by row of the neighbor graph. The surfels of a row with one
+// label are adjacent in pairs. A star around the first of them connects the same surfels with fewer edges.
 struct Adjacency {
   Cloud_view cloud;
   const std::uint32_t* label;
 
   // Calls unite(p, q) for the neighbor q of r. p is r itself, or the first neighbor of r with the label of q. Both are
-  // in the range; free points and points out of the range are skipped.
+  // in the range; free surfels and surfels out of the range are skipped.
   template <class Unite>
   CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
   {
     if(q < range.first || q >= range.last || label[q] >= first_mark)
       return;
     if(label[r] == label[q])
-      return unite(r, q); // a point is in the range with its neighbors
+      return unite(r, q); // a surfel is in the range with its neighbors
     const std::uint32_t* p = cloud.row(r);
     while(*p < range.first || *p >= range.last || label[*p] != label[q])
       ++p; // it ends at q
@@ -141,14 +141,14 @@ struct Adjacency {
   }
 };
 
-// One entry for each point of a cell. Its size is that of the largest cell, in two variants: see small_cell.
+// One entry for each surfel of a cell. Its size is that of the largest cell, in two variants: see small_cell.
 template <std::uint32_t CellSize>
 struct Union_scratch {
   std::uint32_t parent[CellSize]; // relative to the cell
 };
 
 // The components within each cell, in fast memory: most edges are there. Large components then have as many roots as
-// cells, so few threads contend for one of them. Writes component[i] of the points of the cell, as a position in the
+// cells, so few threads contend for one of them. Writes component[i] of the surfels of the cell, as a position in the
 // cloud.
 struct Unite_in_cell {
   Adjacency adjacency;
@@ -178,7 +178,7 @@ struct Pair_scratch {
   std::uint32_t count[slots];
 };
 
-// Adds the edges that lead out of a cell: those in the rows of points with a neighbor in another cell. Most of them
+// Adds the edges that lead out of a cell: those in the rows of surfels with a neighbor in another cell. Most of them
 // join the same few pairs of roots, so each noted pair is united once, at the end. Pairs that find no slot are united
 // at once.
 template <class Backend>
@@ -240,9 +240,9 @@ struct Find_root {
   }
 };
 
-// component[i] becomes the smallest position, on this rank, of the component of point i; free points are components of
-// their own. Ghosts have entries, too.
-// label: of any kind, by point, with marks for free points. Takes nearly linear time.
+// component[i] becomes the smallest position, on this rank, of the component of surfel i; free surfels are components
+// of their own. Ghosts have entries, too.
+// label: of any kind, by surfel, with marks for free surfels. Takes nearly linear time.
 template <class Backend>
 Border_components<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_size,
                                            const std::uint32_t* label, std::uint32_t* component)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stages between the last round and the extraction of the result. Moves of points and shapes raise the score, and
+// The stages between the last round and the extraction of the result. Moves of surfels and shapes raise the score, and
 // relations are found once more. Changes labels, states, shapes, planes, and estimated normals near edges. Planes are
 // final at its end. See the manual, "End Game".
 
@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 
 #include <CGAL/Tandem/internal/base/Progress.h>
-#include <CGAL/Tandem/internal/finish/choose_sides.h>
+#include <CGAL/Tandem/internal/finish/choose_edge_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
@@ -20,10 +20,11 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Points of small components become free, so that an assignment can give them to the shapes around: a component of less
-// than the minimum number of points is no shape of the result. Changes labels only. See the manual, "Small Components".
+// --- Surfels of small components become free, so that an assignment can give them to the shapes around: a component of
+// less than the minimum number of points is no shape of the result. Changes labels only. See the manual, "Small
+// Components".
 
-// Points of small components become free. An item writes its own label only, so points may come in any order.
+// Surfels of small components become free. An item writes its own label only, so surfels may come in any order.
 struct Free_small_components {
   const std::uint32_t* component;
   const std::uint32_t* size; // by root
@@ -37,7 +38,7 @@ struct Free_small_components {
   }
 };
 
-// Afterwards each shape has the minimum size, or no point at all. Moments do not follow.
+// Afterwards each shape has the minimum size, or no surfel at all. Moments do not follow.
 template <class Backend>
 void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                            const Stage_parameters& options)
@@ -47,7 +48,7 @@ void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>&
   auto borders = find_components(points, options.growth.cell_size, points.label(), component.data());
   const auto size =
     component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), borders);
-  const Labels_view labels = points.change_labels(true); // lists may have shapes without points
+  const Labels_view labels = points.change_labels(true); // lists may have shapes without surfels
   shapes.invalidate_moments();
   points.backend.for_each(
     n, Free_small_components{component.data(), size.data(), std::uint64_t(options.minimum_region_size), labels.label});
@@ -67,7 +68,7 @@ struct Round_plane {
   }
 };
 
-// Rounds the planes of all live shapes for the tests of points. Then points that do not fit become free, and moments
+// Rounds the planes of all live shapes for the tests of surfels. Then surfels that do not fit become free, and moments
 // follow.
 template <class Backend>
 void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
@@ -76,7 +77,7 @@ void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   update_tables(points, shapes, tables::moments);
   for_each_shape(backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
   const auto is_checked = filled_buffer(backend, shapes.size, std::uint8_t(1));
-  update_points(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
+  update_surfels(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
 }
 
 struct Fit_plane {
@@ -100,7 +101,7 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
-// Shapes split, points go where they are worth most, and shapes unite, in turn, where that gains.
+// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
@@ -111,7 +112,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     fit_planes(points, shapes);
     assign(shapes, options);
     if(options.has_estimated_normals) {
-      choose_sides(points, shapes, options.growth.tolerance);
+      choose_edge_sides(points, shapes, options.growth.tolerance);
       assign(shapes, options);
     }
     auto links = collect_links(points, shapes, Links::all, Phase::end);
@@ -120,19 +121,19 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   fit_planes(points, shapes);
 }
 
-// Near edges, estimated normals are blended. Points go to their side of the edge. Then the normals near edges are those
-// of one shape, and points that do not fit with them are free.
+// Near edges, estimated normals are blended. Surfels go to their side of the edge. Then the normals near edges are
+// those of one shape, and surfels that do not fit with them are free.
 template <class Backend>
 void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   const Tolerance& tolerance = options.growth.tolerance;
-  choose_sides(points, shapes, tolerance);
+  choose_edge_sides(points, shapes, tolerance);
   fit_normals_to_shapes(points, shapes, tolerance);
   detach_misfits(points, shapes, tolerance);
 }
 
-// The last regularization. Touching shapes of one plane are one, and points are assigned by the planes of the relations.
-// Returns the relations, by shape.
+// The last regularization. Touching shapes of one plane are one, and surfels are assigned by the planes of the
+// relations. Returns the relations, by shape.
 template <class Backend>
 Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                    const Stage_parameters& options, Assignment<Backend>& assign)
@@ -140,14 +141,15 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
   const auto links = collect_links(points, shapes, Links::all, Phase::end);
-  merge_points(points, shapes, coplanar_targets(backend, shapes, links));
+  merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
   assign(shapes, options);
   drop_small(points, shapes, options.minimum_region_size);
   return relations;
 }
 
-// The offsets of planes become those that fit the points of their shapes best. Points that do not fit any more are free.
+// The offsets of planes become those that fit the points of their shapes best. Surfels that do not fit any more are
+// free.
 template <class Backend>
 void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Shape_relations& relations)
@@ -166,7 +168,7 @@ template <class Backend>
 Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                          Progress& progress)
 {
-  const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
+  const auto show = [&](double fraction) { progress.show(Detection_stage::end_game, fraction); };
   Assignment<Backend> assign(points);
   raise_score(points, shapes, options, assign);
   show(.5);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Growth inside one octree cell (Algorithm 2 of the paper). All shapes of the cell grow at the same time over its free
-// points, with their planes fixed; then new shapes start. A cell reads and writes labels and states of its own points
+// surfels, with their planes fixed; then new shapes start. A cell reads and writes labels and states of its own surfels
 // only, so cells need no order. See the manual, "Growth".
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
@@ -24,33 +24,33 @@ namespace CGAL::Tandem::internal {
 struct Shapes_view {
   Plane* plane;
   std::uint16_t* steps;             // breadth-first steps of this pass
-  const std::uint8_t* is_restarted; // all of its points are on the frontier
+  const std::uint8_t* is_restarted; // all of its surfels are on the frontier
   Shared_moments* delta;            // what the pass adds
 };
 
-// The part of one cell in a pass. Points are positions in the sorted cloud.
+// The part of one cell in a pass. Surfels are positions in the sorted cloud.
 struct Cell_job {
   Range cell;
-  const std::uint32_t* border;   // its points with a neighbor in another cell ...
+  const std::uint32_t* border;   // its surfels with a neighbor in another cell ...
   const std::uint32_t* proposal; // ... and the shapes that they join first, or no_index
   std::uint32_t border_size;
   const std::uint32_t* seed; // candidates
   std::uint32_t seed_count;
   std::uint32_t* seed_cursor; // candidates before it are used up
   std::uint32_t new_shape;    // the ids from here on are those of new shapes
-  bool has_restarted = true;  // maybe: some shape grows again from all of its points
+  bool has_restarted = true;  // maybe: some shape grows again from all of its surfels
 };
 
 // A candidate that is tried, as in the manual, "Growth". A plane is fitted to the seed and those of its free neighbors
 // that fit its own plane. Those that fit the new plane are the core of a new shape, unless they are too few.
 struct Trial {
-  std::uint32_t at, seed; // the seed among the candidates, and the point
+  std::uint32_t at, seed; // the seed among the candidates, and the surfel
   bool is_candidate;      // still: no shape that has begun meanwhile may reach it
   Plane plane;            // of the seed, then of the core
   Cell_moments sums;      // of the points of what fits the first ...
   std::uint32_t count;    // ... and the surfels that fit the second, ...
   std::uint32_t points;   // ... and their points
-  std::uint32_t lost;     // points, of the seed and its neighbors, that shapes have taken since
+  std::uint32_t taken;    // surfels, of the seed and its neighbors, that shapes have taken since
 };
 // Of the blocks of all back ends: what the scratch memory has room for.
 constexpr std::uint32_t maximum_lookahead = 32;
@@ -58,7 +58,7 @@ constexpr std::uint32_t maximum_lookahead = 32;
 // Shared by the lanes of a block. Places in the queue are given in any order, so nothing may depend on them.
 template <std::uint32_t CellSize>
 struct Growth_scratch {
-  std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
+  std::uint16_t queue[CellSize]; // cell-relative surfels; each is queued at most once
   std::uint32_t tail;            // of the queue: its size
   Moment_table table;
   std::uint32_t active[tuning::growth::maximum_seeds_in_flight]; // shapes on the frontier of this cell, ascending
@@ -66,8 +66,8 @@ struct Growth_scratch {
   Trial trial[maximum_lookahead];
 };
 
-// --- Breadth-first growth of the shapes that have points in a cell, with their planes fixed. A cell reads and writes
-// labels and states of its own points only, so cells need no order. See the manual, "Growth".
+// --- Breadth-first growth of the shapes that have surfels in a cell, with their planes fixed. A cell reads and writes
+// labels and states of its own surfels only, so cells need no order. See the manual, "Growth".
 
 // Changed are labels, states, the seed cursor, the new shapes and the sums.
 struct Growth_input {
@@ -79,7 +79,7 @@ struct Growth_input {
 };
 
 // All members are called by all lanes of the block, but for those that are called within its functors. The queue has
-// the points that have been visited in this pass: first the frontier, then the points that shapes took. Its order is
+// the surfels that have been visited in this pass: first the frontier, then the surfels that shapes took. Its order is
 // arbitrary, but steps of growth are ranges of it.
 template <class Backend, class Block, class Scratch>
 class Cell_growth {
@@ -93,12 +93,12 @@ public:
   {}
 
   // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
-  // the points the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
+  // the surfels the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
   CGAL_TANDEM_HD void run()
   {
     block_.single([&] { s_.tail = s_.active_count = 0; });
     collect_frontier();
-    const std::uint32_t old = s_.tail; // from here on, points that have a shape since this pass
+    const std::uint32_t old = s_.tail; // from here on, surfels that have a shape since this pass
     join_proposals();
     const bool has_seeds = *job_.seed_cursor < job_.seed_count;
     if(has_seeds)
@@ -111,12 +111,13 @@ public:
   }
 
 private:
-  // Queues the points from which shapes go on: those whose neighbors were not visited yet, and all of restarted shapes.
+  // Queues the surfels from which shapes go on: those whose neighbors were not visited yet, and all of restarted
+  // shapes.
   CGAL_TANDEM_HD void collect_frontier()
   {
     block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = job_.cell.first + at;
-      // Most points of late rounds are on no frontier; without restarts their labels are not read.
+      // Most surfels of late rounds are on no frontier; without restarts their labels are not read.
       const bool is_on = state_[i] & frontier_bit;
       if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
         return;
@@ -138,8 +139,8 @@ private:
     });
   }
 
-  // Breadth-first steps, the first one from [head, tail) of the queue. A free point that several shapes reach in one
-  // step goes to the smallest id. Points that a shape reaches in its last step stay on the frontier for the next pass.
+  // Breadth-first steps, the first one from [head, tail) of the queue. A free surfel that several shapes reach in one
+  // step goes to the smallest id. Surfels that a shape reaches in its last step stay on the frontier for the next pass.
   CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
   {
     for(int step = 0; head < tail; ++step) {
@@ -161,7 +162,7 @@ private:
     }
   }
 
-  // Adds [first, last) of the queue to the sums of the shapes: the points that came in this pass.
+  // Adds [first, last) of the queue to the sums of the shapes: the surfels that came in this pass.
   CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
   {
     s_.table.clear(block_);
@@ -173,13 +174,13 @@ private:
     s_.table.template flush<Backend>(block_, sums);
   }
 
-  // The origin of the moments of this cell. Any of its points would do.
+  // The origin of the moments of this cell. Any of its surfels would do.
   CGAL_TANDEM_HD const Grid_point& base() const { return cloud_.point[job_.cell.first]; }
 
-  // By one lane. There is room, since no point is queued twice.
+  // By one lane. There is room, since no surfel is queued twice.
   CGAL_TANDEM_HD void push(std::uint32_t i) { s_.queue[block_.append(s_.tail)] = std::uint16_t(i - job_.cell.first); }
 
-  // The position of the point at a place of the queue.
+  // The position of the surfel at a place of the queue.
   CGAL_TANDEM_HD std::uint32_t queued(std::uint32_t place) const { return job_.cell.first + s_.queue[place]; }
 
   // False for no_index.
@@ -192,9 +193,9 @@ private:
     return step < shapes_.steps[label_[i]] ? cloud_.row(i) : nullptr;
   }
 
-  // Of shape s to point q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may
+  // Of shape s to surfel q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may
   // lower the label after it was read here. That is harmless: within a step labels only fall, and the minimum remains.
-  // Only the first claim replaces free_label, so a point is queued once.
+  // Only the first claim replaces free_label, so a surfel is queued once.
   CGAL_TANDEM_HD void propose(std::uint32_t s, std::uint32_t q)
   {
     if(!is_own(q))
@@ -227,7 +228,7 @@ private:
 
   // New shapes start at the first candidates with a core. Those without one are no seeds any more, and each costs a
   // try. A block may try several at once, as many lanes would be idle for one. The result is as if one were tried after
-  // the other: where an earlier shape took points of a core, that candidate is tried again. Candidates in reach of a
+  // the other: where an earlier shape took surfels of a core, that candidate is tried again. Candidates in reach of a
   // growing shape are left for later passes.
   CGAL_TANDEM_HD void start_shapes()
   {
@@ -241,7 +242,7 @@ private:
       for(; next < size && room > 0 && tries > 0; ++next) {
         if(!s_.trial[next].is_candidate)
           continue;
-        if(s_.trial[next].lost > 0)
+        if(s_.trial[next].taken > 0)
           break; // to be tried again
         if(!has_core(s_.trial[next])) {
           --tries;
@@ -274,7 +275,7 @@ private:
 
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return internal::is_untried(label_, state_, i); }
 
-  // Whether a shape may start at point i. Tests at most maximum_seeds_in_flight planes, so this is cheap enough for
+  // Whether a shape may start at surfel i. Tests at most maximum_seeds_in_flight planes, so this is cheap enough for
   // each seed.
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
   {
@@ -291,7 +292,7 @@ private:
   CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
   {
     const Grid_point& o = base();
-    // First the points that fit the planes of the seeds, then the new planes, then the cores.
+    // First the surfels that fit the planes of the seeds, then the new planes, then the cores.
     const std::uint32_t size = block_.find(
       at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
       [&](std::uint32_t i, std::uint32_t c) {
@@ -323,7 +324,7 @@ private:
            (trial.count >= 3 && std::int64_t(trial.points) >= options_.core_points);
   }
 
-  // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken points of
+  // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken surfels of
   // their core.
   CGAL_TANDEM_HD void recheck_trials(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
   {
@@ -334,11 +335,11 @@ private:
       if(j == 0 && (label_[q] != free_label || cloud_.fits(shapes_.plane[shape], q, options_.tolerance)))
         trial.is_candidate = false;
       if(is_own(q) && label_[q] == shape)
-        block_.append(trial.lost);
+        block_.append(trial.taken);
     });
   }
 
-  // f(trial, q), by one lane each, for the free points q near the seed that fit the plane of a trial. Many lanes have
+  // f(trial, q), by one lane each, for the free surfels q near the seed that fit the plane of a trial. Many lanes have
   // one trial in common, so f has to add atomically.
   template <class F>
   CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t size, F f)
@@ -352,15 +353,15 @@ private:
     });
   }
 
-  // Point j of those around a seed: the seed itself for j = 0, else a neighbor of it; it may be no_index, or in another
-  // cell.
+  // Surfel j of those around a seed: the seed itself for j = 0, else a neighbor of it; it may be no_index, or in
+  // another cell.
   CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
   {
     return j == 0 ? seed : cloud_.row(seed)[j - 1];
   }
 
-  // Whether a free point of the cell fits the plane. Points of other cells are left out, since their labels may change
-  // at this time.
+  // Whether a free surfel of the cell fits the plane. Surfels of other cells are left out, since their labels may
+  // change at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
     return is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, options_.tolerance);

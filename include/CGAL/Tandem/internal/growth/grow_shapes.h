@@ -19,10 +19,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- The points at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
+// --- The surfels at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
 // Fills the Border of the cloud, nothing else.
 
-// Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
+// Whether the surfels of a cell have a neighbor in another one. Only its own row counts, since proposals are
 // made along that row.
 struct Mark_border {
   Cloud_view cloud;
@@ -62,7 +62,8 @@ private:
   }
 };
 
-// Finds the border points of all cells. The marks take one byte a point meanwhile, the result 8 bytes a border point.
+// Finds the border surfels of all cells. The marks take one byte a surfel meanwhile, the result 8 bytes a border
+// surfel.
 template <class Backend>
 void find_border(Labeled_cloud<Backend>& points)
 {
@@ -81,8 +82,8 @@ void find_border(Labeled_cloud<Backend>& points)
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
 // table of shapes follows below. Also: which cells still have many untried seeds.
 
-// The proposal for a free border point: the nearest shape among those of its neighbors that it fits, of equally near
-// ones the smallest id. Labels and planes do not change meanwhile, so the points may come in any order.
+// The proposal for a free border surfel: the nearest shape among those of its neighbors that it fits, of equally near
+// ones the smallest id. Labels and planes do not change meanwhile, so the surfels may come in any order.
 struct Propose {
   Cloud_view cloud;
   const std::uint32_t* label; // by position
@@ -202,8 +203,8 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   return ids;
 }
 
-// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a share of its points.
-// Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
+// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a ratio of its
+// points. Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
 template <class Backend>
 struct Find_untried_cells {
   Surfels_view surfels;
@@ -219,14 +220,14 @@ struct Find_untried_cells {
   {
     const std::uint32_t first = cells[c].first + seeds.cursor[c];
     const std::uint32_t points = surfels.points(cells[c].last - 1).last - surfels.points(cells[c].first).first;
-    const std::uint32_t share = points / tuning::loop::points_per_untried_point + 1;
+    const std::uint32_t many = points / tuning::loop::points_per_untried_point + 1;
     block.single([&] { untried = 0; });
     block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
       if(is_untried(label, state, seeds.seed[first + at]))
         block.add(untried, surfels.points(seeds.seed[first + at]).size());
     });
     block.single([&] {
-      if(untried >= (share < smallest_shape ? share : smallest_shape))
+      if(untried >= (many < smallest_shape ? many : smallest_shape))
         Backend::atomic_add(*found, 1u);
     });
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The back end of many processes: that of one process, and a communicator. Loops over points and cells are over those
+// The back end of many processes: that of one process, and a communicator. Loops over surfels and cells are over those
 // of the rank; what goes on between ranks is in Mpi_ranks.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H

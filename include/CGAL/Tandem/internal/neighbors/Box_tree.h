@@ -62,13 +62,13 @@ inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
   return sum;
 }
 
-// The squared length of the diagonal. Exact: its sides have at most 2^30 steps.
+// The squared length of the diagonal. Exact: its widths have at most 2^30 steps.
 inline std::uint64_t squared_diagonal(const Node_box& a)
 {
   std::uint64_t sum = 0;
   for(int i = 0; i < 3; ++i) {
-    const std::int64_t side = std::int64_t(a.high[i]) - a.low[i];
-    sum += std::uint64_t(side * side);
+    const std::int64_t width = std::int64_t(a.high[i]) - a.low[i];
+    sum += std::uint64_t(width * width);
   }
   return sum;
 }

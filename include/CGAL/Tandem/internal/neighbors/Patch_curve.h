@@ -21,12 +21,12 @@ namespace CGAL::Tandem::internal {
 // --- The plane of a sampled point and its neighbors, and the same over growing neighborhoods: first of few and of more
 // nearest neighbors, then of as many in samples that are thinned to a quarter, and so reach twice as far, each time.
 
-// Lengths are in grid steps. Fewer places than a plane can be judged by: `places` is 0.
+// Fewer places than a plane can be judged by: `places` is 0.
 struct Local_plane {
-  int places = 0;       // of neighbors, and of the point itself
-  double residual = 0;  // root mean square distance to the plane, for the degrees of freedom
-  double thickness = 0; // share of the half-width
-  double radius = 0;    // distance of the farthest neighbor
+  int places = 0;            // of neighbors, and of the point itself
+  double residual_steps = 0; // root mean square distance to the plane, for the degrees of freedom
+  double thickness = 0;      // as a fraction of the half-width
+  double radius_steps = 0;   // distance of the farthest neighbor
   Vector normal = {0, 0, 0};
 };
 
@@ -136,10 +136,10 @@ inline double quantile(std::vector<double>& values, double q)
   return *nth;
 }
 
-// What is found of one patch. Lengths are in grid steps.
+// What is found of one patch.
 struct Patch_measure {
-  double noise = -1;           // -1: no surface
-  double spacing = 0;          // copies count once; that of space where there is no surface
+  double noise_steps = -1;     // -1: no surface
+  double spacing_steps = 0;    // copies count once; that of space where there is no surface
   double places_per_point = 1; // at the first level
   std::size_t first = 0;       // the level that shows the surface first
   std::size_t exact = 0;       // how many of the smallest neighborhoods have no residual against the noise, ...
@@ -147,7 +147,7 @@ struct Patch_measure {
   bool has_sheets = false, bends = false;
   int flat = 0; // levels with the first residual
 
-  bool has_surface() const { return noise >= 0; }
+  bool has_surface() const { return noise_steps >= 0; }
   // Whether the residual is the same over several radii.
   bool is_flat() const { return flat > 1; }
 };
@@ -163,15 +163,15 @@ public:
 private:
   // Medians over the planes of a patch at one level.
   struct Summary {
-    double residual = 0, thickness = 0;
+    double residual_steps = 0, thickness = 0;
     bool is_measured = false;
 
     // Thin against its width, or at least not much thicker than the neighborhood before, which is smaller.
     bool is_surface(const Summary& before) const
     {
       using namespace tuning::estimation;
-      return is_measured &&
-             (thickness < surface_thickness || (thickness < flat_thickness && residual < flat_step * before.residual));
+      return is_measured && (thickness < surface_thickness ||
+                             (thickness < flat_thickness && residual_steps < flat_step * before.residual_steps));
     }
   };
 
@@ -202,7 +202,7 @@ private:
   {
     const std::vector<Local_plane>& plane = levels_[level].plane;
     Summary s;
-    s.residual = median(level, [&](std::uint32_t i) { return plane[i].residual; });
+    s.residual_steps = median(level, [&](std::uint32_t i) { return plane[i].residual_steps; });
     s.thickness = median(level, [&](std::uint32_t i) { return plane[i].thickness; });
     s.is_measured = 2 * value_.size() >= planes(level).size();
     return s;
@@ -216,15 +216,16 @@ private:
       const Local_plane& p = coarse.plane[i];
       const Local_plane& q = fine.plane[std::size_t(i) << (2 * (coarse.thinnings - fine.thinnings))];
       const double cosine = q.places > 0 ? dot(p.normal, q.normal) : 1;
-      return p.radius * std::sqrt((std::max)(1 - cosine * cosine, 0.)) / (std::max)(p.residual, 1e-9);
+      return p.radius_steps * std::sqrt((std::max)(1 - cosine * cosine, 0.)) / (std::max)(p.residual_steps, 1e-9);
     });
   }
 
   // The mean distance of a point to its six nearest neighbors, if there are so many in a disk.
-  double spacing(std::size_t level)
+  double spacing_steps(std::size_t level)
   {
     const std::vector<Local_plane>& plane = levels_[level].plane;
-    return median(level, [&](std::uint32_t i) { return 1.73 * plane[i].radius / std::sqrt(plane[i].places - 1.); });
+    return median(level,
+                  [&](std::uint32_t i) { return 1.73 * plane[i].radius_steps / std::sqrt(plane[i].places - 1.); });
   }
 
   void count_exact(Patch_measure& m) const;
@@ -246,8 +247,8 @@ inline void Patch_curve::count_exact(Patch_measure& m) const
     if(p.places == 0 || q.places == 0)
       continue;
     ++m.measured;
-    m.exact +=
-      p.residual < step_flatness * m.noise && p.thickness < step_flatness && std::fabs(dot(p.normal, q.normal)) > .7;
+    m.exact += p.residual_steps < step_flatness * m.noise_steps && p.thickness < step_flatness &&
+               std::fabs(dot(p.normal, q.normal)) > .7;
   }
 }
 
@@ -262,8 +263,8 @@ inline Patch_measure Patch_curve::follow(std::size_t patch)
   bool was_thick = false, has_left = false, has_steps = false;
   for(std::size_t l = 0; l < levels_.size() && !has_steps; ++l) {
     const Summary s = summary(l);
-    if(m.spacing == 0)
-      m.spacing = spacing(l);
+    if(m.spacing_steps == 0)
+      m.spacing_steps = spacing_steps(l);
     const bool is_surface = s.is_surface(before);
     before = s;
     if(!is_surface) {
@@ -272,29 +273,29 @@ inline Patch_measure Patch_curve::follow(std::size_t patch)
     }
     if(!m.has_surface()) {
       m.first = l;
-      m.spacing = spacing(l);
+      m.spacing_steps = spacing_steps(l);
       m.places_per_point = median(l, [&](std::uint32_t i) { return levels_[l].places_per_point(i); });
-      first_residual = m.noise = s.residual;
+      first_residual = m.noise_steps = s.residual_steps;
     }
-    if(!has_left && s.residual <= flat_growth * first_residual) {
-      sum += s.residual;
-      m.noise = sum / ++m.flat;
+    if(!has_left && s.residual_steps <= flat_growth * first_residual) {
+      sum += s.residual_steps;
+      m.noise_steps = sum / ++m.flat;
     } else {
       has_left = true;
-      has_steps = first_residual < step_flatness * s.residual &&
+      has_steps = first_residual < step_flatness * s.residual_steps &&
                   levels_[l].thinnings <= levels_[m.first].thinnings + step_thinnings && tilt(l, m.first) >= step_tilt;
       if(has_steps)
-        m.noise = s.residual;
-      m.has_sheets |= was_thick && last > flat_growth * first_residual && s.residual < flat_growth * last;
-      bent = !was_thick && s.residual > 2 * last ? bent + 1 : 0;
+        m.noise_steps = s.residual_steps;
+      m.has_sheets |= was_thick && last > flat_growth * first_residual && s.residual_steps < flat_growth * last;
+      bent = !was_thick && s.residual_steps > 2 * last ? bent + 1 : 0;
       m.bends |= bent == 2;
     }
-    last = s.residual;
+    last = s.residual_steps;
   }
   if(m.has_surface())
     count_exact(m);
   if(m.measured > 0 && step_neighborhoods.is_reached(std::int64_t(m.exact), std::int64_t(m.measured)))
-    m.noise *= step_margin;
+    m.noise_steps *= step_margin;
   return m;
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Normals for clouds that have none; nothing else of the cloud changes. Two things spoil the plane through the nearest
-// neighbors of a point. One is noise, where they are too few; the other is edges, where they lie on two faces. Against
-// noise the neighborhood of a point grows until the expected angular error is small: grow_neighborhoods.h. Near edges a
-// point takes over the plane of a neighbor that lies on one face only. A point that is off its plane by more than the
-// noise is clutter. It gets no smooth normal, but the rough one of a plane through it. See the manual, "Normals".
+// neighbors of a surfel. One is noise, where they are too few; the other is edges, where they lie on two faces. Against
+// noise the neighborhood of a surfel grows until the expected angular error is small: grow_neighborhoods.h. Near edges
+// a surfel takes over the plane of a neighbor that lies on one face only. A surfel that is off its plane by more than
+// the noise is clutter. It gets no smooth normal, but the rough one of a plane through it. See the manual, "Normals".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
@@ -24,7 +24,7 @@ CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t
   return difference(p, w.owner[s]) - w.candidate[s].mean;
 }
 
-// The squared distance to the plane (steps^2) of a point at d from its center.
+// The squared distance to the plane (steps^2) of a surfel at d from its center.
 CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vector& d)
 {
   const Int_vector v = decode_normal(c.normal);
@@ -33,12 +33,13 @@ CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vect
   return to_float(exact_product(e, e) / exact_dot(n, n));
 }
 
-// The edge pass for point i. next[i] becomes the cheapest adoptable candidate of its neighbors, or stays its own. All
-// points read `source`, which the pass before has written, so their order does not matter. Of equal costs the
+// One pass, in which planes propagate to neighbors near edges. next[i] becomes the cheapest acceptable candidate of the
+// neighbors of surfel i, or stays its own. All read `source`, which the pass before has written, so their order does
+// not matter. Of equal costs the
 // first in the row of neighbors counts.
 struct Take_neighbor_plane {
   Workspace w;
-  const std::uint32_t* source; // by point: the point whose candidate it has
+  const std::uint32_t* source; // by surfel: the one whose candidate it has
   std::uint32_t* next;
 
   // Whether p is near the center of the candidate and near its plane, in its standard deviations.
@@ -46,8 +47,8 @@ struct Take_neighbor_plane {
   {
     const Candidate& c = w.candidate[s];
     const Float_vector d = from_center(w, s, p);
-    return exact_dot(d, d) <= double(adoption_width2) * c.middle &&
-           plane_distance2(c, d) <= adoption_thickness2 * c.smallest;
+    return exact_dot(d, d) <= double(propagation_width2) * c.middle &&
+           plane_distance2(c, d) <= propagation_thickness2 * c.smallest;
   }
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -57,7 +58,7 @@ struct Take_neighbor_plane {
     const Candidate& c = w.candidate[own];
     if(!(c.error2 > excellent_error2))
       return;
-    float minimum = c.error2 < no_plane ? adoption_cost_share * cost(c) : no_plane;
+    float minimum = c.error2 < no_plane ? propagation_cost_fraction * cost(c) : no_plane;
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
     for(int j = 0; j < w.k && row[j] != no_index; ++j) {
@@ -73,18 +74,18 @@ struct Take_neighbor_plane {
   }
 };
 
-// Writes the normal of point i: that of its candidate, or a rough one for clutter.
+// Writes the normal of surfel i: that of its candidate, or a rough one for clutter.
 struct Finish {
   Workspace w;
   const std::uint32_t* source;
   Grid_point* point;
 
-  // The packed normal of a plane through the point itself and few neighbors. Those on a face beside it lie in the
-  // direction of the normal of the face. So the rough plane is across the face, and the point does not fit it.
+  // The packed normal of a plane through the surfel itself and few neighbors. Those on a face beside it lie in the
+  // direction of the normal of the face. So the rough plane is across the face, and the surfel does not fit it.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
     const Neighborhood h =
-      about_point(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
+      about_surfel(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
     const Thickness t = thickness(h);
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
   }
@@ -111,23 +112,23 @@ struct Finish {
   }
 };
 
-// A candidate of another rank that a point has adopted there, with the point that it comes from.
-struct Adopted {
+// A candidate that has propagated to a surfel on another rank, with the surfel that it comes from.
+struct Propagated {
   Candidate candidate;
   Grid_point owner;
 };
 
-struct Get_adopted {
+struct Get_propagated {
   Workspace w;
   const std::uint32_t* source;
-  Adopted* adopted;
+  Propagated* propagated;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { adopted[i] = {w.candidate[source[i]], w.owner[source[i]]}; }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { propagated[i] = {w.candidate[source[i]], w.owner[source[i]]}; }
 };
 
-// Writes what a ghost has adopted to its place among the candidates.
-struct Put_adopted {
-  const Adopted* adopted; // these two from the first ghost on
+// Puts what has propagated to a ghost among the candidates.
+struct Put_propagated {
+  const Propagated* propagated; // these two from the first ghost on
   std::uint32_t* source;
   Candidate* candidate; // these two by candidate
   Grid_point* owner;
@@ -136,13 +137,13 @@ struct Put_adopted {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     source[i] = first + std::uint32_t(i);
-    candidate[source[i]] = adopted[i].candidate;
-    owner[source[i]] = adopted[i].owner;
+    candidate[source[i]] = propagated[i].candidate;
+    owner[source[i]] = propagated[i].owner;
   }
 };
 
-// What ghosts have adopted before each pass. Points adopt it from them, so it stays until the end: there are candidates
-// for each ghost and pass, after those of the points.
+// What has propagated to ghosts before each pass. It propagates from them, so it stays until the end: there are
+// candidates for each ghost and pass, after those of the surfels.
 template <class Backend>
 class Ghost_candidates {
   template <class T>
@@ -159,23 +160,23 @@ public:
   }
 
   // Of candidates.
-  std::size_t size() const { return next_ + (adoption_passes + 1) * ghosts_; }
+  std::size_t size() const { return next_ + (propagation_passes + 1) * ghosts_; }
 
-  // By candidate: the point that it comes from.
+  // By candidate: the surfel that it comes from.
   const Grid_point* owner(const Cloud_view& cloud) const
   {
     return Ranks<Backend>::are_many ? owner_.data() : cloud.point;
   }
 
-  // Before a pass. source: by point.
+  // Before a pass. source: by surfel.
   void renew(const Workspace& w, std::uint32_t* source)
   {
     if constexpr(Ranks<Backend>::are_many) {
-      Buffer<Adopted> adopted(w.cloud.size + w.cloud.ghosts);
-      backend_.for_each(w.cloud.size, Get_adopted{w, source, adopted.data()});
-      ranks_.refresh(adopted.data(), Rings::inner);
-      backend_.for_each(ghosts_, Put_adopted{adopted.data() + w.cloud.size, source + w.cloud.size, w.candidate,
-                                             owner_.data(), std::uint32_t(next_)});
+      Buffer<Propagated> propagated(w.cloud.size + w.cloud.ghosts);
+      backend_.for_each(w.cloud.size, Get_propagated{w, source, propagated.data()});
+      ranks_.refresh(propagated.data(), Rings::inner);
+      backend_.for_each(ghosts_, Put_propagated{propagated.data() + w.cloud.size, source + w.cloud.size, w.candidate,
+                                                owner_.data(), std::uint32_t(next_)});
       next_ += ghosts_;
     }
   }
@@ -190,18 +191,18 @@ private:
 } // namespace normals
 
 // Fills point[i].normal, unoriented; no_normal where all neighbors are equal or collinear. `cloud` needs points and
-// neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_grid is
-// epsilon in grid steps: shares of it define what is free of noise, and what is no clutter. Temporary memory: 100
-// bytes a point.
+// neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_steps is
+// epsilon: parts of it define what is free of noise, and what is no clutter. Temporary memory: 100
+// bytes a surfel.
 template <class Backend>
-void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid,
+void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_steps,
                       const Ranks<Backend>& ranks)
 {
   using namespace normals;
   const std::size_t n = cloud.size, with_ghosts = n + cloud.ghosts;
   Ghost_candidates<Backend> ghosts(backend, ranks, cloud);
   Buffer_of<Backend, Candidate> candidate(ghosts.size());
-  Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
+  Workspace w = make_workspace(cloud, candidate.data(), epsilon_steps);
   w.owner = ghosts.owner(cloud);
   {
     Buffer_of<Backend, Neighborhood> current(with_ghosts), next(n);
@@ -216,9 +217,9 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
     }
   }
   Buffer_of<Backend, std::uint32_t> source(with_ghosts), next_source(with_ghosts);
-  backend.for_each(n, Fill_ascending{source.data()}); // each point starts with its own candidate
+  backend.for_each(n, Fill_ascending{source.data()}); // each surfel starts with its own candidate
   ghosts.renew(w, source.data());
-  for(int pass = 0; pass < adoption_passes; ++pass) {
+  for(int pass = 0; pass < propagation_passes; ++pass) {
     backend.for_each(n, Take_neighbor_plane{w, source.data(), next_source.data()});
     std::swap(source, next_source);
     ghosts.renew(w, source.data());

@@ -63,7 +63,7 @@ public:
     y_ = difference8(p.y, box_.low[1]);
     z_ = difference8(p.z, box_.low[2]);
     for(int axis = 0; axis < 3; ++axis)
-      side_[axis] = float(box_.high[axis] - box_.low[axis]);
+      width_[axis] = float(box_.high[axis] - box_.low[axis]);
     float key[8];
     for(int query = 0; query < 8; ++query)
       key[query] = query >= first && query < last ? unknown : -1; // no point is nearer than -1
@@ -102,7 +102,7 @@ public:
     store8(x, x8);
     store8(y, y8);
     store8(z, z8);
-    const Float8 to_box = squared_length8(outside(x8, side_[0]), outside(y8, side_[1]), outside(z8, side_[2]));
+    const Float8 to_box = squared_length8(outside(x8, width_[0]), outside(y8, width_[1]), outside(z8, width_[2]));
     for(unsigned near = less_equal8(to_box, fill8(limit_)) & ((1u << count) - 1); near != 0; near &= near - 1) {
       const int i = __builtin_ctz(near);
       const Float8 squared = squared_length8(fill8(x[i]) - x_, fill8(y[i]) - y_, fill8(z[i]) - z_);
@@ -258,7 +258,7 @@ private:
   std::uint32_t own_ = 0;    // the bucket of the queries
   int first_ = 0, last_ = 0; // the queries in it
   Node_box box_;             // of the queries; its low corner is the origin of float coordinates
-  float side_[3];
+  float width_[3];
   float limit_ = 0;
   Float8 x_, y_, z_, reach_; // by query
   Float8 best_[maximum + 2]; // the smallest keys of each query, ascending

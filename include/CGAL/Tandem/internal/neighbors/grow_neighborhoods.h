@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The best plane of each point from its own neighborhood. The neighborhood grows, by averaging with those of its
-// neighbors, until the expected angular error is small. Neither points nor neighbors change; the result is a table of
+// The best plane of each surfel from its own neighborhood. The neighborhood grows, by averaging with those of its
+// neighbors, until the expected angular error is small. Neither surfels nor neighbors change; the result is a table of
 // candidates. See the manual, "Normals".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
@@ -19,7 +19,7 @@ namespace Tandem {
 namespace internal {
 
 // --- Mean and covariance of a neighborhood in float, and the plane through it. Half the memory of double, since there is
-// one for each point while normals are estimated.
+// one for each surfel while normals are estimated.
 //
 // Products of two floats are computed in double, where they are exact. So sums of them are the same whether or not a
 // compiler contracts them. std::fma would be a slow call where the processor is not known to have it.
@@ -52,14 +52,14 @@ CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_po
   return {to_float(q.x - p.x), to_float(q.y - p.y), to_float(q.z - p.z)};
 }
 
-// Mean (grid steps) and covariance (steps^2). The mean is relative to the point whose neighborhood it is.
+// Mean (grid steps) and covariance (steps^2). The mean is relative to the surfel whose neighborhood it is.
 // Floats suffice, since neighborhoods are small against the cloud.
 struct Neighborhood {
   Float_vector mean;
   float xx, xy, xz, yy, yz, zz;
 };
 
-// The union of equally weighted points and neighborhoods. The order of the calls matters for the last bits. It is that
+// The union of equally weighted surfels and neighborhoods. The order of the calls matters for the last bits. It is that
 // of the rows of neighbors, which is the same on all back ends.
 struct Neighborhood_sum {
   double x = 0, y = 0, z = 0;
@@ -80,7 +80,7 @@ struct Neighborhood_sum {
     ++size;
   }
 
-  // Adds a neighborhood of another point, which lies at `offset` from this one.
+  // Adds a neighborhood of another surfel, which lies at `offset` from this one.
   CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
   {
     add(offset + h.mean);
@@ -93,7 +93,7 @@ struct Neighborhood_sum {
   }
 
   // The neighborhood, of at least one part. Rounding to float costs 1e-7 of the length of the mean. This matters only
-  // for a point a hundred times farther away than its neighbors are from each other.
+  // for a surfel a hundred times farther away than its neighbors are from each other.
   CGAL_TANDEM_HD Neighborhood mean() const
   {
     const double weight = 1.0 / size;
@@ -109,9 +109,9 @@ struct Neighborhood_sum {
   }
 };
 
-// The neighborhood with second moments about the point itself instead of the mean. Its plane is the best one through
-// the point.
-CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
+// The neighborhood with second moments about the surfel itself instead of the mean. Its plane is the best one through
+// the surfel.
+CGAL_TANDEM_HD inline Neighborhood about_surfel(const Neighborhood& h)
 {
   const Float_vector& m = h.mean;
   return {{0, 0, 0},
@@ -176,7 +176,7 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 } // namespace covariance
 
 // The two lower eigenvalues from the characteristic polynomial: the smallest root first, then the middle one from sum
-// and product of the others. That costs a fraction of an eigensystem, and there are up to five for each point.
+// and product of the others. That costs a fraction of an eigensystem, and there are up to five for each surfel.
 CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 {
   // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
@@ -222,22 +222,22 @@ using tuning::Ratio;
 
 constexpr float no_plane = 1e30f; // instead of an error
 
-// The plane with the smallest cost among those of a point.
+// The plane with the smallest cost among those of a surfel.
 struct Candidate {
-  Float_vector mean;    // of its neighborhood, relative to the point
+  Float_vector mean;    // of its neighborhood, relative to the surfel
   float smallest;       // variance across the plane, at least that of a flat one (steps^2)
   float middle;         // least variance along it (steps^2)
   float error2;         // expected squared angular error from noise (radians^2), or no_plane
   std::uint32_t normal; // octahedral
 };
 
-// The tables of an estimation, by point, and its bounds in grid steps. It is passed to functors by value.
+// The tables of an estimation, by surfel, and its bounds in grid steps. It is passed to functors by value.
 struct Workspace {
   Cloud_view cloud;
   Neighborhood* current; // at the present scale, or where its growth ended
   Neighborhood* next;    // at the next scale; undefined where growth has ended
   Candidate* candidate;
-  const Grid_point* owner; // by candidate: the point that it comes from
+  const Grid_point* owner; // by candidate: the surfel that it comes from
   int k;                   // neighbors in use
   double flat2;            // variance of what is as good as flat, at epsilon, but for rounding
   double clutter2;         // least squared distance of clutter from its plane, at epsilon
@@ -249,7 +249,7 @@ struct Workspace {
   CGAL_TANDEM_HD float minimum_clutter2(std::uint32_t i) const { return to_float(squared_tolerance(i) * clutter2); }
 
 private:
-  // Of a point, in epsilons.
+  // Of a surfel, in epsilons.
   CGAL_TANDEM_HD double squared_tolerance(std::uint32_t i) const
   {
     const double factor = level_factor(cloud.level_of(i));
@@ -258,10 +258,10 @@ private:
 };
 
 // The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
-inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
+inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_steps)
 {
-  const float flat = to_float(noiseless_share * epsilon_grid);
-  const float clutter = to_float(clutter_share * epsilon_grid);
+  const float flat = to_float(noiseless_fraction * epsilon_steps);
+  const float clutter = to_float(clutter_fraction * epsilon_steps);
   Workspace w = {};
   w.cloud = cloud;
   w.candidate = candidate;
@@ -272,7 +272,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   return w;
 }
 
-// The neighborhood of point i and its k nearest neighbors.
+// The neighborhood of surfel i and its k nearest neighbors.
 CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
 {
   const Grid_point p = w.cloud.point[i];
@@ -285,7 +285,7 @@ CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std:
 }
 
 // The neighborhood of i joined with those of the farther half of its neighbors, which overlap with it less. Reads
-// `current` only, so all points can be computed at the same time.
+// `current` only, so all surfels can be computed at the same time.
 CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::uint32_t i)
 {
   const Grid_point p = w.cloud.point[i];
@@ -297,9 +297,9 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
   return sum.mean();
 }
 
-// The number of independent points of a neighborhood that has grown `scale` - 1 times. Its parts overlap, so it is less
-// than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
-CGAL_TANDEM_HD inline float effective_points(int k, int scale)
+// The number of independent surfels of a neighborhood that has grown `scale` - 1 times. Its parts overlap, so it is
+// less than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
+CGAL_TANDEM_HD inline float effective_surfels(int k, int scale)
 {
   constexpr Ratio growth = independent_growth;
   return to_float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / to_float(growth.denominator);
@@ -318,7 +318,7 @@ CGAL_TANDEM_HD inline float cost(const Candidate& c)
   return to_float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
 }
 
-// Replaces the candidate of point i by the plane of h if that costs less. `points` > 3 is the number of independent
+// Replaces the candidate of surfel i by the plane of h if that costs less. `points` > 3 is the number of independent
 // ones; a plane fitted to them takes three degrees of freedom from the variance across it.
 CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const Neighborhood& h, float points)
 {
@@ -334,7 +334,7 @@ CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const N
   w.candidate[i] = c;
 }
 
-// Sets current[i] to the nearest neighbors, and the first candidate of point i.
+// Sets current[i] to the nearest neighbors, and the first candidate of surfel i.
 struct Start {
   Workspace w;
 
@@ -342,11 +342,11 @@ struct Start {
   {
     w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_normal};
     w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
-    consider(w, std::uint32_t(i), w.current[i], effective_points(w.k, 1));
+    consider(w, std::uint32_t(i), w.current[i], effective_surfels(w.k, 1));
   }
 };
 
-// Writes next[i] where the error is too large. Points that have ended keep their `current` for their neighbors.
+// Writes next[i] where the error is too large. Surfels that have ended keep their `current` for their neighbors.
 struct Grow {
   Workspace w;
 
@@ -370,7 +370,7 @@ struct Commit {
     if(scale < last_scale)
       w.current[i] = w.next[i];
     if((scale & (scale - 1)) == 0) // 2, 4, 8: measured, all scales are not better
-      consider(w, std::uint32_t(i), w.next[i], effective_points(w.k, scale));
+      consider(w, std::uint32_t(i), w.next[i], effective_surfels(w.k, scale));
   }
 };
 

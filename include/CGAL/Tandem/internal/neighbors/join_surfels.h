@@ -14,8 +14,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// Which surfel i would join: the heaviest of its cell among itself and its neighbors of the same side from whose center
-// the points of both are less than the edge of a surfel. Ties go to the first one.
+// Which surfel i would join: the heaviest of its cell among itself and its neighbors of the same face from whose center
+// the points of both are less than the width of a cell. Ties go to the first one.
 struct Surfel_targets {
   Cloud_view cloud;
   Surfel_cells cells;
@@ -25,11 +25,11 @@ struct Surfel_targets {
     std::uint32_t best = i;
     const std::uint32_t* row = cloud.row(i);
     // Where all points are so near, their rounded centroid is as well, and rows ascend.
-    const std::int64_t edge = edge_of(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], edge + 2); ++j)
-      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) && edge_of(row[j]) == edge &&
-         side_of(cloud.point[row[j]].normal) == side_of(cloud.point[i].normal) && covers(row[j], i, edge) &&
-         covers(row[j], row[j], edge))
+    const std::int64_t width = width_steps_of(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], width + 2); ++j)
+      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) && width_steps_of(row[j]) == width &&
+         face_of(cloud.point[row[j]].normal) == face_of(cloud.point[i].normal) && covers(row[j], i, width) &&
+         covers(row[j], row[j], width))
         best = row[j];
     return best;
   }
@@ -41,11 +41,11 @@ private:
     return wa != wb ? wa > wb : a < b;
   }
 
-  // The edge of the cell of a surfel, in steps, rounded down.
-  CGAL_TANDEM_HD std::int64_t edge_of(std::uint32_t i) const
+  // The width of the cell of a surfel, in steps, rounded down.
+  CGAL_TANDEM_HD std::int64_t width_steps_of(std::uint32_t i) const
   {
     const int octave = octave_of(cloud.level_of(i));
-    return std::int64_t(cells.edge) >> (octave < cells.octaves ? octave : cells.octaves);
+    return std::int64_t(cells.width_steps) >> (octave < cells.octaves ? octave : cells.octaves);
   }
 
   // Whether two points are less than a distance apart.
@@ -55,11 +55,11 @@ private:
     return x * x + y * y + z * z < distance * distance;
   }
 
-  CGAL_TANDEM_HD bool covers(std::uint32_t center, std::uint32_t i, std::int64_t edge) const
+  CGAL_TANDEM_HD bool covers(std::uint32_t center, std::uint32_t i, std::int64_t width) const
   {
     const Range points = cloud.surfels.points(i);
     for(std::uint32_t p = points.first; p < points.last; ++p)
-      if(!is_near(cloud.point[center], cloud.surfels.point[p], edge))
+      if(!is_near(cloud.point[center], cloud.surfels.point[p], width))
         return false;
     return true;
   }

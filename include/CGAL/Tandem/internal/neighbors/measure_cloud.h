@@ -39,8 +39,8 @@ struct Cloud_measure {
   double low_noise = 0;     // from there
   double high_noise = 0;    // to there: over neighboring patches with the same residual over several radii
   bool varies = false;      // whether that is much, and neighboring ones have the same
-  double exact = 0;         // share of the smallest neighborhoods that lie on a plane, while larger ones do not
-  double sheets = 0;        // shares of the patches: with another surface next to them, and
+  double exact = 0;         // ratio of the smallest neighborhoods that lie on a plane, while larger ones do not
+  double sheets = 0;        // ratios of the patches: with another surface next to them, and
   double bends = 0;         // of surfaces that bend
   std::vector<Patch_noise> patch;
 };
@@ -125,10 +125,10 @@ private:
     const std::size_t middle = first + (last - first) / 2;
     const Vector d = p - patch_[middle].position;
     found.add({dot(d, d), std::uint32_t(middle)});
-    const double side = component(d, axis_[middle]);
-    const bool is_low = side < 0;
+    const double offset = component(d, axis_[middle]);
+    const bool is_low = offset < 0;
     search(p, is_low ? first : middle + 1, is_low ? middle : last, found);
-    if(side * side <= found.limit())
+    if(offset * offset <= found.limit())
       search(p, is_low ? middle + 1 : first, is_low ? last : middle, found);
   }
 
@@ -203,27 +203,27 @@ inline void drop_clutter(std::vector<Patch_measure>& patches)
 {
   std::vector<double> first;
   for(const Patch_measure& p : patches)
-    if(p.noise >= 0)
+    if(p.noise_steps >= 0)
       first.push_back(double(p.first));
   const auto last = std::size_t(quantile(first, .5)) + tuning::estimation::late_levels;
   for(Patch_measure& p : patches)
     if(p.first > last)
-      p.noise = -1;
+      p.noise_steps = -1;
 }
 
-// The statistics of the patches, in grid steps.
-inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
+// The statistics of the patches. step: of the grid on which they were measured.
+inline Cloud_measure summarize(const std::vector<Patch_measure>& patches, double step)
 {
   using namespace tuning::estimation;
   std::vector<double> noise, spacing, spacing_in_space, places_per_point;
   std::size_t exact = 0, measured = 0, sheets = 0, bends = 0;
   for(const Patch_measure& p : patches) {
-    if(p.noise < 0) {
-      spacing_in_space.push_back(p.spacing);
+    if(p.noise_steps < 0) {
+      spacing_in_space.push_back(p.spacing_steps);
       continue;
     }
-    noise.push_back(p.noise);
-    spacing.push_back(p.spacing);
+    noise.push_back(p.noise_steps);
+    spacing.push_back(p.spacing_steps);
     places_per_point.push_back(p.places_per_point);
     exact += p.exact;
     measured += p.measured;
@@ -231,14 +231,14 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
     bends += p.bends;
   }
   Cloud_measure m;
-  m.spacing = quantile(spacing.empty() ? spacing_in_space : spacing, .5);
+  m.spacing = step * quantile(spacing.empty() ? spacing_in_space : spacing, .5);
   m.places = noise.empty() ? 1 : quantile(places_per_point, .5);
-  m.noise = quantile(noise, noise_quantile);
-  m.largest_noise = quantile(noise, .9);
-  const auto share = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
-  m.exact = share(exact, measured);
-  m.sheets = share(sheets, noise.size());
-  m.bends = share(bends, noise.size());
+  m.noise = step * quantile(noise, noise_quantile);
+  m.largest_noise = step * quantile(noise, .9);
+  const auto ratio = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
+  m.exact = ratio(exact, measured);
+  m.sheets = ratio(sheets, noise.size());
+  m.bends = ratio(bends, noise.size());
   return m;
 }
 
@@ -257,20 +257,18 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   const Cell_sample sample = sample_cells(backend, points_in_box(backend, in, grid, box));
   std::vector<Patch_measure> patches = measure_patches(backend, measure_planes(backend, sample.point));
   drop_clutter(patches);
-  m = summarize(patches);
+  m = summarize(patches, grid.step);
   m.extent = box.extent();
   m.places *= double(in.total.points) / sample.points_per_point;
   if(m.spacing == 0) // too few places, or all on a line
-    m.spacing = m.extent / (grid.step * std::sqrt(m.places));
-  for(double* length : {&m.spacing, &m.noise, &m.largest_noise})
-    *length *= grid.step;
+    m.spacing = m.extent / std::sqrt(m.places);
   std::vector<Patch_noise> flat;
   for(std::size_t i = 0; i < patches.size(); ++i)
-    if(patches[i].noise >= 0) {
+    if(patches[i].noise_steps >= 0) {
       const Grid_point& p = sample.point[(std::min)(i * patch_size + patch_size / 2, sample.point.size() - 1)];
       m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
                           std::fma(p.z, grid.step, grid.origin.z)},
-                         patches[i].noise * grid.step});
+                         patches[i].noise_steps * grid.step});
       if(patches[i].is_flat())
         flat.push_back(m.patch.back());
     }

@@ -108,7 +108,7 @@ Coordinate_box box_within_grids(Backend& backend, const Import& in)
   const std::vector<std::uint64_t> count = count_slices(backend, in, box);
   const std::uint64_t inside = std::accumulate(count.begin(), count.begin() + box_slices, std::uint64_t(0));
   const auto outside = std::int64_t(in.total.points) - std::int64_t(inside);
-  return tuning::grid::far_share.is_exceeded(outside, std::int64_t(in.total.points)) ? in.box : box;
+  return tuning::grid::far_ratio.is_exceeded(outside, std::int64_t(in.total.points)) ? in.box : box;
 }
 
 // The box of the points without few that are far from all others: as long as all but those fit into a box that is much

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Groups of parallel shapes that make nearly the same angle with an axis, such as the two sides of a gable roof, get
-// exactly the same one. Right angles stay: a group that would lose one keeps its direction. Only
+// exactly the same one. Right angles stay: a group that would no longer have one keeps its direction. Only
 // Direction_group::direction is written. See the manual, "Given Directions and Symmetry".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
@@ -38,7 +38,7 @@ public:
       circles.add(g.direction, 0);
   }
 
-  void tie()
+  void make_symmetric()
   {
     std::vector<int> pool = candidates();
     while(!pool.empty()) {
@@ -78,7 +78,7 @@ private:
     return a == b || std::fabs(sine) < (std::min)(groups[a].sine, groups[b].sine);
   }
 
-  // The groups of a class get the mean of their angles, weighted by points. Those that cannot bear it leave the class.
+  // The groups of a class get the mean of their angles, weighted by points. Those that it costs too much leave it.
   void turn(const std::vector<int>& members)
   {
     std::vector<Turnable> turnable;
@@ -119,7 +119,7 @@ private:
     return result;
   }
 
-  // Whether the group may turn without losing a right angle: each of its partners has to be orthogonal to the axis, and
+  // Whether the group may turn and keep its right angles: each of its partners has to be orthogonal to the axis, and
   // all of them are parallel then.
   bool find_across(Turnable& t) const
   {
@@ -138,11 +138,11 @@ private:
     return is_free;
   }
 
-  // The direction of the group at an angle to the axis, on the side where it is.
+  // The direction of the group at an angle to the axis, of the sign that it has.
   Vector direction_at(const Turnable& t, double cosine, double sine) const
   {
-    const double side = dot(groups[t.group].direction, axis) < 0 ? -1 : 1;
-    const Vector n = unit(add_scaled((side * cosine) * axis, sine, t.across));
+    const double sign = dot(groups[t.group].direction, axis) < 0 ? -1 : 1;
+    const Vector n = unit(add_scaled((sign * cosine) * axis, sine, t.across));
     return dot(t.partner, t.partner) > 0 ? made_orthogonal(n, t.partner) : n;
   }
 

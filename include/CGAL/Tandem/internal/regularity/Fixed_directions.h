@@ -238,7 +238,7 @@ inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
   return sum_of_ratios > 0 ? d0 * d0 / sum_of_ratios : (d0 == 0 ? 0 : 1e300);
 }
 
-// The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.
+// The square of the unused part of what a right angle may cost, in [0, 1]. 0: it costs too much.
 inline double score_of_cost(double cost, double allowed)
 {
   const double left = cost <= 0 ? 1 : cost < allowed ? 1 - cost / allowed : 0;
@@ -458,13 +458,13 @@ private:
   std::size_t find_same(const Vector& direction, const Vector& master) const
   {
     const double x = direction.x, reach = tuning::relations::same_direction;
-    const auto is_near = [&](double side, const Vector& d) { return d.x >= side - reach && d.x <= side + reach; };
+    const auto is_near = [&](double wanted, const Vector& d) { return d.x >= wanted - reach && d.x <= wanted + reach; };
     std::tuple<int, double, std::size_t> first(2, 0, fixed.size());
     index.search(Near_direction_region(direction, reach), [&](int i) {
       const Vector& d = fixed[i].direction;
-      const int side = is_near(x, d) ? 0 : is_near(-x, d) ? 1 : 2;
-      if(side < 2 && squared_sine(d, direction) < reach * reach && are_orthogonal(d, master))
-        first = (std::min)(first, {side, d.x, std::size_t(i)});
+      const int order = is_near(x, d) ? 0 : is_near(-x, d) ? 1 : 2;
+      if(order < 2 && squared_sine(d, direction) < reach * reach && are_orthogonal(d, master))
+        first = (std::min)(first, {order, d.x, std::size_t(i)});
     });
     return std::get<2>(first);
   }

@@ -138,7 +138,7 @@ public:
   {}
 
   // Sets the directions of all groups. Given ones stay, and are the first masters.
-  void tie()
+  void make_orthogonal()
   {
     const double all = std::accumulate(groups.begin(), groups.end(), 1.,
                                        [](double sum, const Direction_group& g) { return sum + g.weight; });

@@ -52,14 +52,14 @@ inline Vector symmetry_axis(const Parameters& p)
   return add_direction(directions, given_direction(p.symmetry_direction));
 }
 
-// step: the unit of lengths. minimum_size: of a shape, in points. The axis of symmetry is a fixed direction, too.
+// step: of the grid. minimum_size: of a shape, in points. The axis of symmetry is a fixed direction, too.
 inline Regularity_parameters make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step,
                                                      double minimum_size)
 {
   Regularity_parameters options;
   options.angle_tolerance_deg = angle_tolerance_deg;
-  options.maximum_offset = p.maximum_offset / step;
-  options.maximum_distance = p.maximum_distance / step;
+  options.maximum_offset_steps = p.maximum_offset / step;
+  options.maximum_distance_steps = p.maximum_distance / step;
   options.freedom = make_freedom_worth(p.regularity, minimum_size);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;

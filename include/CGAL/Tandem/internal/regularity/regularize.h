@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what their points
-// lose (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
+// The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what it costs
+// their points (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
 // (Coplanar_groups). Input are moments, so no point is read; the result is Relations. Neither labels nor shapes change
 // here; rounds/regularize_shapes.h applies the result.
 
@@ -26,7 +26,7 @@
 namespace CGAL::Tandem::internal {
 
 // --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that this
-// saves is worth more than what their points lose. Directions stay. See the manual, "Relations by Price".
+// saves is worth more than the loss of their points. Directions stay. See the manual, "Relations by Price".
 
 class Coplanar_groups {
 public:
@@ -81,7 +81,7 @@ private:
   bool can_move(int shape, double distance) const
   {
     const Scatter& s = shapes_[std::size_t(shape)].scatter;
-    return std::fabs(distance) <= options_.maximum_offset &&
+    return std::fabs(distance) <= options_.maximum_offset_steps &&
            s.weight() * (distance * distance) <= options_.price(s.count);
   }
 
@@ -89,7 +89,7 @@ private:
   double gain(const Group& a, const Group& b) const
   {
     const double d = b.offset - a.offset;
-    if(a.direction != b.direction || !(d <= options_.maximum_offset))
+    if(a.direction != b.direction || !(d <= options_.maximum_offset_steps))
       return -1;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
     return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
@@ -125,7 +125,7 @@ private:
 };
 
 // --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
-// this saves are worth more than what its points lose. Shapes are only read. See the manual, "Relations by Price".
+// this saves are worth more than the loss of its points. Shapes are only read. See the manual, "Relations by Price".
 
 // The groups are united in steps. In each, groups are visited by falling number of points. A group joins the one before
 // it at which it gains most, unless that has joined another one itself. Then groups are fitted again, until none joins.
@@ -260,12 +260,12 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
 inline void set_directions(std::vector<Direction_group>& groups, const Regularity_parameters& options)
 {
   if(options.orthogonality)
-    Frames(groups, options).tie();
+    Frames(groups, options).make_orthogonal();
   else
     for(Direction_group& g : groups)
       g.direction = g.fitted;
   for(const Vector& axis : options.symmetry_axis)
-    Axis_symmetry(groups, axis, options).tie();
+    Axis_symmetry(groups, axis, options).make_symmetric();
 }
 
 // Shapes that their group turns by more than the tolerance, or at more than a direction is worth, get groups of their
@@ -352,7 +352,7 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
     plane[i] = through_centroid(shapes[i], normal[i]);
   const std::vector<int> direction = shared_directions(groups, shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
-  if(options.coplanarity && options.maximum_offset > 0)
+  if(options.coplanarity && options.maximum_offset_steps > 0)
     Coplanar_groups(shapes, direction, options).fit(plane, coplanar);
   Relations r;
   number_relations(plane, direction, coplanar, r);

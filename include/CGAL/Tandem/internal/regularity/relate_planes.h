@@ -105,11 +105,11 @@ inline Input_planes input_planes(const Import& in, const std::vector<int>& plane
 
 // Without points, or without noise and offset, any positive length serves.
 inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
-                                       const std::vector<Coefficients>& planes, const Regularity_parameters& options)
+                                       const std::vector<Coefficients>& planes, const Parameters& p)
 {
-  if(options.maximum_distance > 0)
-    return options.maximum_distance;
-  const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
+  if(p.maximum_distance > 0)
+    return p.maximum_distance;
+  const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), p.maximum_offset);
   const double extent = in.size() > 0 ? in.box.extent() : 0;
   const double smallest = extent > 0 ? extent * tuning::estimation::smallest_distance : 1;
   return bounded_length((std::max)(estimate, smallest));
@@ -172,22 +172,21 @@ inline void measure_planes(const Import& in, const std::vector<int>& plane_of, c
     }
 }
 
-// All but reading from and writing to the caller's ranges. `planes` are replaced; their normals are unit or null then.
+// All but reading from and writing to the caller's ranges. p: with the angle as maximum_angle. `planes` are replaced;
+// their normals are unit or null then.
 template <class Backend>
-Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
-                              Regularity_parameters options, std::vector<Coefficients>& planes)
+Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of, Parameters p,
+                              std::vector<Coefficients>& planes)
 {
   for(Coefficients& c : planes)
     c = normalized(c);
   Plane_relations result;
-  result.maximum_distance = bounded_by_extent(resolve_maximum_distance(in, plane_of, planes, options), in);
-  options.maximum_distance = result.maximum_distance;
-  options.maximum_offset = bounded_by_extent(options.maximum_offset, in);
-  put_on_grid(backend, in, options.maximum_distance);
-  options.maximum_distance /= in.grid.step;
-  options.maximum_offset /= in.grid.step;
+  result.maximum_distance = bounded_by_extent(resolve_maximum_distance(in, plane_of, planes, p), in);
+  p.maximum_distance = result.maximum_distance;
+  p.maximum_offset = bounded_by_extent(p.maximum_offset, in);
+  put_on_grid(backend, in, p.maximum_distance);
   const Input_planes given = input_planes(in, plane_of, planes);
-  options.freedom.least *= given.smallest_size();
+  const auto options = make_regularity_options(p, p.maximum_angle, in.grid.step, given.smallest_size());
   const Relations r = regularize(given.fits, given.is_excluded, options);
   const std::vector<char> is_unrelated = find_unrelated(r, given.fits);
   const std::vector<Coefficients> old = planes;

@@ -55,17 +55,17 @@ inline double squared_sine(const Vector& a, const Vector& b)
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 struct Regularity_parameters {
-  double angle_tolerance_deg = 0; // beta, in [0, 45)
-  double maximum_offset = 0;      // sigma, the largest offset of planes that become one
-  double maximum_distance = 0;    // epsilon
+  double angle_tolerance_deg = 0;    // beta, in [0, 45)
+  double maximum_offset_steps = 0;   // sigma, the largest offset of planes that become one
+  double maximum_distance_steps = 0; // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
   Freedom_worth freedom = {};                // if two become one, the lower price is saved
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
   // What a degree of freedom is worth, by the points of the largest shape that has it: a sum of squared distances
-  // (steps^2) that may be lost for it.
-  double price(double points) const { return maximum_distance * maximum_distance * freedom.of(points); }
+  // (steps^2) that it may cost.
+  double price(double points) const { return maximum_distance_steps * maximum_distance_steps * freedom.of(points); }
 
   // That of the two degrees of freedom of a direction.
   double direction_price(double points) const { return 2 * price(points); }

@@ -90,7 +90,7 @@ void free_rejected(Labeled_cloud<Backend>& points, const Labels_of_points& label
 // The next label of each surfel: its own one, or of a free surfel that of the neighbor in whose plane most of its points
 // surely fit, of equal ones the nearest. These points get the label, too. A surfel of one point has been tried by the
 // assignments.
-struct Adopt_surfel {
+struct Label_free_surfel {
   Cloud_view cloud;
   const std::uint32_t* label;
   Bounded_planes certain;
@@ -126,14 +126,14 @@ struct Adopt_surfel {
 
 // A surfel may be free because its mean normal fits nowhere, or its center. Its points may still fit.
 template <class Backend>
-void adopt_surfels(Labeled_cloud<Backend>& points, const Bounded_planes& certain,
-                   Buffer_of<Backend, std::uint32_t>& label, Buffer_of<Backend, std::uint32_t>& point_label)
+void label_free_surfels(Labeled_cloud<Backend>& points, const Bounded_planes& certain,
+                        Buffer_of<Backend, std::uint32_t>& label, Buffer_of<Backend, std::uint32_t>& point_label)
 {
   if(!points.cloud.has_surfels())
     return;
   Buffer_of<Backend, std::uint32_t> next(label.size());
-  points.backend.for_each(next.size(),
-                          Adopt_surfel{points.cloud.view(), label.data(), certain, next.data(), point_label.data()});
+  points.backend.for_each(
+    next.size(), Label_free_surfel{points.cloud.view(), label.data(), certain, next.data(), point_label.data()});
   label = std::move(next);
   points.ranks.refresh(label.data(), Rings::inner);
 }
@@ -201,7 +201,7 @@ struct Gather_uncertain {
   }
 };
 
-// Points that fail lose their label, and no plane is fitted afterwards.
+// Points that fail become free, and no plane is fitted afterwards.
 struct Lock_rejected {
   const std::uint32_t* place;
   const std::uint8_t* is_rejected;

@@ -17,12 +17,12 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Which shapes are slabs of clutter: few neighbors of their points are near their plane, whatever their shape. The price
-// of links cannot remove them, since slabs hold each other. Counts and decides only; extract_shapes.h frees the points.
-// See the manual, "Slabs of Clutter".
+// --- Which shapes are clutter shapes: few neighbors of their surfels are near their plane, whatever their shape. The
+// price of links cannot remove them, since their points have links to each other. Counts and decides only;
+// extract_shapes.h frees the points. See the manual, "Clutter Shapes".
 
-// Neighbors of the points of one shape, without those in other crisp shapes: those in the shape or within epsilon of its
-// plane, and all of them. Each point has up to 64, those of its surfel, so the sums need 64 bits.
+// Neighbors of the surfels of one shape, without those in other shapes of low noise: those in the shape or within
+// epsilon of its plane, and all of them. A surfel counts once for each of its points, so the sums need 64 bits.
 namespace neighbor_counts {
 enum Count { near, all, size };
 } // namespace neighbor_counts
@@ -35,16 +35,16 @@ struct Neighbor_scratch {
   std::uint32_t near[slots], all[slots];
 };
 
-// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels and planes, and
-// writes only `counts`. These are integer sums, so the order of cells and points does not matter.
+// For each cell, counts the neighbors of its labeled surfels by the shape of the surfel. Reads labels and planes, and
+// writes only `counts`. These are integer sums, so the order of cells and surfels does not matter.
 template <class Backend>
 struct Count_neighbors {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* label;
-  const Plane* plane;           // by shape, as are these
-  const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of slabs
-  std::uint64_t* counts;        // neighbor_counts::size each
+  const Plane* plane;               // by shape, as are these
+  const std::uint8_t* is_low_noise; // its points are close to its plane, unlike those of clutter shapes
+  std::uint64_t* counts;            // neighbor_counts::size each
   Tolerance tolerance;
 
   template <class Block>
@@ -82,8 +82,8 @@ private:
     const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t other = label[row[j]];
-      // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.
-      const bool is_counted = other == s || other >= first_mark || !is_crisp[other];
+      // A neighbor in another shape of low noise is not counted: it may lie on the other side of a thin plate.
+      const bool is_counted = other == s || other >= first_mark || !is_low_noise[other];
       all += is_counted;
       near += is_counted && (other == s || is_near(plane[s], cloud.point[row[j]], distance));
     }
@@ -102,7 +102,7 @@ private:
 };
 
 // Of a shape with these counts.
-inline bool is_slab(const std::uint64_t* counts)
+inline bool is_clutter(const std::uint64_t* counts)
 {
   constexpr tuning::Ratio least = tuning::moves::near_neighbors;
   return !least.is_reached(std::int64_t(counts[neighbor_counts::near]), std::int64_t(counts[neighbor_counts::all]));

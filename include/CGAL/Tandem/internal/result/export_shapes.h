@@ -62,7 +62,7 @@ inline std::vector<int> direction_freedom(std::size_t directions, const std::vec
   return freedom;
 }
 
-// Complexity is the share of the degrees of freedom that is left: each unrelated shape would have 3 of its own.
+// Complexity is the part of the degrees of freedom that is left: each unrelated shape would have 3 of its own.
 // The points of the largest shape of each group.
 inline std::vector<std::int64_t> largest_sizes(const std::vector<int>& group, const std::vector<std::size_t>& size)
 {
@@ -182,7 +182,7 @@ inline Free_points free_points_of(const Import& in, const Parameters& parameters
   return counts;
 }
 
-// The result of an empty cloud is valid, too: no shapes, and shares of 0. The mean distance is in epsilons in the
+// The result of an empty cloud is valid, too: no shapes, and ratios of 0. The mean distance is in epsilons in the
 // engine, and in the caller's units here.
 template <class Backend>
 Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, const Engine_result& result)

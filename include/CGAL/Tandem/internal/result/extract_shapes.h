@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From labels and relations to the result: exact check, slabs of clutter, connected components, and the final order of
+// From labels and relations to the result: exact check, clutter shapes, connected components, and the final order of
 // the shapes. Works on labels of its own, so it may run between two rounds: labels, states and shapes of the loop stay.
 // Labels are entries of the relations here: entry i is the shape relations.id[i].
 
@@ -32,21 +32,21 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
 }
 
 // Whether the points that an entry was last fitted to are close to their plane. Few have come or gone since.
-struct Mark_crisp {
+struct Mark_low_noise {
   const Shape* shape;
   const std::uint32_t* id;
-  double maximum_distance;
-  std::uint8_t* is_crisp;
+  double maximum_distance_steps;
+  std::uint8_t* is_low_noise;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const double distance = tuning::moves::crisp_rms * maximum_distance;
+    const double distance = tuning::moves::low_noise_rms * maximum_distance_steps;
     const Scatter& scatter = shape[id[i]].scatter;
-    is_crisp[i] = shape[id[i]].fit.smallest < distance * distance * (scatter.count * scatter.squared_tolerance);
+    is_low_noise[i] = shape[id[i]].fit.smallest < distance * distance * (scatter.count * scatter.squared_tolerance);
   }
 };
 
-// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
+// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their surfels are
 // free.
 struct Map_to_entries {
   const std::uint32_t* source;
@@ -60,7 +60,7 @@ struct Map_to_entries {
   }
 };
 
-// Points of dropped shapes are free.
+// Surfels of dropped shapes are free.
 struct Free_dropped {
   const std::uint8_t* is_dropped; // by label
   std::uint32_t* label;
@@ -72,9 +72,9 @@ struct Free_dropped {
   }
 };
 
-// Item i is the i-th component of the result. Its number goes to its root, where the points of the component find it.
+// Item i is the i-th component of the result. Its number goes to its root, where the surfels of the component find it.
 struct Number_roots {
-  const Component* component; // in the order of the shapes; no_index if it has no point on this rank
+  const Component* component; // in the order of the shapes; no_index if it has no surfel on this rank
   std::uint32_t* number;      // by root
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -84,7 +84,7 @@ struct Number_roots {
   }
 };
 
-// Puts the number of its shape in place of the root of a point; no_index if no component of the result has the root.
+// Puts the number of its shape in place of the root of a surfel; no_index if no component of the result has the root.
 struct Number_points {
   const std::uint32_t* number; // by root
   std::uint32_t* component;
@@ -109,8 +109,8 @@ public:
   {
     take_entries();
     check_points();
-    adopt_surfels(points_, {plane_.data(), options_.certain}, label_, point_label_);
-    drop_slabs();
+    label_free_surfels(points_, {plane_.data(), options_.certain}, label_, point_label_);
+    drop_clutter_shapes();
     Engine_result result;
     name_shapes(result);
     if(!in_.has_normals)
@@ -125,10 +125,11 @@ private:
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
     backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
-    is_crisp_.reset(id.size());
-    backend_.for_each(id.size(),
-                      Mark_crisp{shapes_.table().data(), id.data(), options_.maximum_distance, is_crisp_.data()},
-                      shapes_per_thread);
+    is_low_noise_.reset(id.size());
+    backend_.for_each(
+      id.size(),
+      Mark_low_noise{shapes_.table().data(), id.data(), options_.maximum_distance_steps, is_low_noise_.data()},
+      shapes_per_thread);
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -152,18 +153,18 @@ private:
   }
 
   // Shapes are judged before they are split into components, so a small component counts with all of its shape.
-  void drop_slabs()
+  void drop_clutter_shapes()
   {
     const std::size_t n = plane_.size();
     auto sums = filled_buffer(backend_, neighbor_counts::size * n, std::uint64_t(0));
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
-                               is_crisp_.data(), sums.data(), options_.growth.tolerance});
+                               is_low_noise_.data(), sums.data(), options_.growth.tolerance});
     points_.ranks.sum(sums.data(), sums.size());
     const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(is_slab(counts.data() + neighbor_counts::size * i)); });
+      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts.data() + neighbor_counts::size * i)); });
     backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
   }
 
@@ -211,8 +212,8 @@ private:
     }
   }
 
-  // Counts the opposite normals of each shape, and sums distances and what the score counts. Only given normals have a
-  // side: estimated ones are not oriented.
+  // Counts the opposite normals of each shape, and sums distances and what the score counts. Estimated
+  // normals are not oriented.
   void measure_shapes(const std::uint32_t* shape, Engine_result& result)
   {
     auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
@@ -274,7 +275,7 @@ private:
   Buffer<std::uint32_t> label_;       // of surfels: entry of the relations
   Buffer<std::uint32_t> point_label_; // of points: the same, or none; empty without surfels. The others are by entry
   Buffer<Plane> plane_;
-  Buffer<std::uint8_t> is_crisp_;
+  Buffer<std::uint8_t> is_low_noise_;
   std::vector<Coefficients> coefficients_;
 };
 

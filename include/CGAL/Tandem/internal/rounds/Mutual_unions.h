@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Unions of touching shapes that gain (Union_gain), in rounds of mutual choice. merge_shapes.h runs
-// them, and merges the shapes and their points. See the manual, "Unions".
+// them, and merges the shapes and their surfels. See the manual, "Unions".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
@@ -55,7 +55,7 @@ class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance),
-      per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance))
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {
     const double twice = std::fma(2., options.squared_cosine, -1.);
     squared_cosine_of_twice_ = twice > 0 ? twice * twice : 0;
@@ -260,7 +260,7 @@ struct Union_root {
 // unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
 // pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
 // Only minima, integer sums and values that are the same for all writers are shared, so no order matters. Tests and fits
-// take most of the time: a rank makes its share of them, and gets the others from the other ranks, see run_unions().
+// take most of the time: a rank makes its own items, and gets the others from the other ranks, see run_unions().
 template <class Backend>
 struct Union_rounds {
   // One after the other: each needs all of the one before.
@@ -345,7 +345,7 @@ private:
   }
 
   // A pair of shapes that have changed gets new roots, and waits for a new verdict: then this returns whether it may be
-  // accepted, and is of the own share. By one lane.
+  // accepted, and is an own item. By one lane.
   CGAL_TANDEM_HD bool begin_test(std::int32_t round, std::size_t i) const
   {
     Union_pair& p = pair[i];

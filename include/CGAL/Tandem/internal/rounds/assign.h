@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each point goes to the adjacent shape where it is worth most: see score/Score.h. Planes are fixed meanwhile. Changes
-// labels of points, and moments and boxes of shapes. See the manual, "Assignment".
+// Each surfel goes to the adjacent shape where it is worth most: see score/Score.h. Planes are fixed meanwhile. Changes
+// labels of surfels, and moments and boxes of shapes. See the manual, "Assignment".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
@@ -19,8 +19,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Which label each point chooses in the passes of an assignment, and which points a pass has to look at. Changes tables
-// of the assignment only. See the manual, "Assignment".
+// --- Which label each surfel chooses in the passes of an assignment, and which surfels a pass has to look at. Changes
+// tables of the assignment only. See the manual, "Assignment".
 
 // What an assignment reads of a shape.
 struct Assigned_shape {
@@ -29,31 +29,31 @@ struct Assigned_shape {
   std::int64_t plane_number; // of the relations, -1: none
 };
 
-// Some points, a bit each, by block.
-using Block_points = std::uint64_t;
-static_assert(Block_row::points == 64, "a block has a bit for each point");
+// Some surfels, a bit each, by block.
+using Block_surfels = std::uint64_t;
+static_assert(Block_row::surfels == 64, "a block has a bit for each surfel");
 
-CGAL_TANDEM_HD inline Block_points bit_of(std::uint32_t i) { return Block_points(1) << (i % Block_row::points); }
+CGAL_TANDEM_HD inline Block_surfels bit_of(std::uint32_t i) { return Block_surfels(1) << (i % Block_row::surfels); }
 
-// The points that have changed their label in a pass, by block: two tables, as each pass considers one half of the
-// points. The first pass follows the last one of the assignment before.
+// The surfels that have changed their label in a pass, by block: two tables, as each pass considers one half of the
+// surfels. The first pass follows the last one of the assignment before.
 struct Label_changes {
   static_assert(tuning::moves::assignment_passes % 2 == 0, "the tables would be exchanged");
 
-  Block_points* of_pass[2]; // even and odd ones
+  Block_surfels* of_pass[2]; // even and odd ones
 
-  CGAL_TANDEM_HD Block_points operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
+  CGAL_TANDEM_HD Block_surfels operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
 };
 
-// The passes of an assignment, as rounds. They may end when two have changed nothing. In each a point gets the label
-// that is worth most, of its own and those of its neighbors that it fits. A free point joins any shape that it fits. Of
-// the other points each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one
-// plane exchange no points, since the plane does not tell them apart. Labels are only read, so the order of points does
-// not matter.
+// The passes of an assignment, as rounds. They may end when two have changed nothing. In each a surfel gets the label
+// that is worth most, of its own and those of its neighbors that it fits. A free surfel joins any shape that it fits.
+// Of the other surfels each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one
+// plane exchange no surfels, since the plane does not tell them apart. Labels are only read, so the order of surfels
+// does not matter.
 //
 // The choice is that of before where no label around has changed in the last two passes, and either no plane has changed
-// since the point was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is not
-// visited has the same labels in both tables.
+// since the surfel was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is
+// not visited has the same labels in both tables.
 template <class Backend>
 struct Assignment_passes {
   enum Step { begin, visit, steps };
@@ -62,13 +62,13 @@ struct Assignment_passes {
   const Assigned_shape* shape;
   std::size_t blocks;
   const Block_row* row;         // by block
-  const Block_entries* entries; // by point
-  const Block_points* outside;  // changed before the first pass, by block
-  Block_points* recent;         // changed lately, by block
+  const Block_entries* entries; // by surfel
+  const Block_surfels* outside; // changed before the first pass, by block
+  Block_surfels* recent;        // changed lately, by block
   Label_changes changes;
-  Block_points* border;       // by block: points that had a neighbor in another shape
+  Block_surfels* border;      // by block: surfels that had a neighbor in another shape
   std::uint32_t* has_changes; // by pass
-  std::uint32_t* label[2];    // by point: pass p reads table p % 2 and writes the other one
+  std::uint32_t* label[2];    // by surfel: pass p reads table p % 2 and writes the other one
   Score score;
   Tolerance tolerance;
 
@@ -87,19 +87,19 @@ struct Assignment_passes {
       [&](std::size_t b) { visit_block(std::uint32_t(b), std::uint32_t(pass)); });
   }
 
-  // After the passes, sets the interior bits of the points of a block: of those without a neighbor in another shape when
-  // they were last considered, unless one may have changed since. So links are searched at the others only.
+  // After the passes, sets the interior bits of the surfels of a block: of those without a neighbor in another shape
+  // when they were last considered, unless one may have changed since. So links are searched at the others only.
   CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
   {
     const Block_entries changed = changed_entries(b, changes);
-    for_each_point(b, [&](std::uint32_t i) {
+    for_each_surfel(b, [&](std::uint32_t i) {
       const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
       state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
     });
   }
 
 private:
-  // Whether points may not have been considered with the present planes.
+  // Whether surfels may not have been considered with the present planes.
   CGAL_TANDEM_HD static bool has_new_planes(std::size_t pass) { return pass < 2; }
 
   CGAL_TANDEM_HD void begin_pass(std::size_t pass, std::size_t b) const
@@ -125,15 +125,15 @@ private:
     const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
     if(changed == 0 && !has_border)
       return;
-    for_each_point(b, [&](std::uint32_t i) { choose(i, pass, changed); });
+    for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, changed); });
   }
 
-  // The lanes of a group share the points of a block.
+  // The lanes of a group share the surfels of a block.
   template <class F>
-  CGAL_TANDEM_HD void for_each_point(std::uint32_t b, F f) const
+  CGAL_TANDEM_HD void for_each_surfel(std::uint32_t b, F f) const
   {
-    const Range points = points_of_block(b, cloud.size);
-    for(std::uint32_t i = points.first + Lane_group::rank(); i < points.last; i += Lane_group::size())
+    const Range surfels = surfels_of_block(b, cloud.size);
+    for(std::uint32_t i = surfels.first + Lane_group::rank(); i < surfels.last; i += Lane_group::size())
       f(i);
   }
 
@@ -145,12 +145,12 @@ private:
     label[(pass + 1) % 2][i] = t;
     if(t == s)
       return;
-    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::points], bit_of(i));
+    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::surfels], bit_of(i));
     if(Backend::atomic_load(has_changes[pass]) == 0)
       Backend::atomic_exchange_if(has_changes[pass], 0u, 1u);
   }
 
-  // One half of the points in even passes, the other one in odd passes.
+  // One half of the surfels in even passes, the other one in odd passes.
   CGAL_TANDEM_HD bool is_considered(std::uint32_t i, std::uint32_t pass) const
   {
     return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
@@ -158,16 +158,16 @@ private:
 
   CGAL_TANDEM_HD bool is_at_border(std::uint32_t i) const
   {
-    return (Backend::atomic_load(border[i / Block_row::points]) & bit_of(i)) != 0;
+    return (Backend::atomic_load(border[i / Block_row::surfels]) & bit_of(i)) != 0;
   }
 
   CGAL_TANDEM_HD void set_at_border(std::uint32_t i, bool value) const
   {
     if(is_at_border(i) != value)
-      Backend::atomic_add(border[i / Block_row::points], value ? bit_of(i) : Block_points(0) - bit_of(i));
+      Backend::atomic_add(border[i / Block_row::surfels], value ? bit_of(i) : Block_surfels(0) - bit_of(i));
   }
 
-  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::points] & bit_of(i)) != 0; }
+  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::surfels] & bit_of(i)) != 0; }
 
   // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by planes.
   CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
@@ -238,7 +238,7 @@ private:
     return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
   }
 
-  // Of a point in shape s, at a distance of its plane and with so many links to it.
+  // Of a surfel in shape s, at a distance of its plane and with so many links to it.
   CGAL_TANDEM_HD std::int64_t worth(std::uint32_t s, const Score_item& item, std::int64_t distance,
                                     std::int64_t links) const
   {
@@ -249,7 +249,7 @@ private:
 template <class Backend>
 struct Set_interior {
   Assignment_passes<Backend> passes;
-  std::uint8_t* state; // by point
+  std::uint8_t* state; // by surfel
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const { passes.set_interior(std::uint32_t(b), state); }
 };
@@ -267,15 +267,15 @@ struct Set_assigned {
   }
 };
 
-// The first labels: a point that does not fit its shape leaves it. Notes which of them are others than those that the
+// The first labels: a surfel that does not fit its shape leaves it. Notes which of them are others than those that the
 // last assignment chose.
 template <class Backend>
 struct Start_assignment {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
-  std::uint32_t *chosen, *next; // by point
-  Block_points* changed;        // by block
+  std::uint32_t *chosen, *next; // by surfel
+  Block_surfels* changed;       // by block
   Tolerance tolerance;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
@@ -285,20 +285,20 @@ struct Start_assignment {
     if(s < first_mark && !cloud.fits(shape[s].plane, i, tolerance))
       s = free_label;
     if(i < cloud.size && chosen[i] != s)
-      Backend::atomic_add(changed[i / Block_row::points], bit_of(i));
+      Backend::atomic_add(changed[i / Block_row::surfels], bit_of(i));
     chosen[i] = next[i] = s;
   }
 };
 
-// For each cell: writes the chosen labels, and sums what each shape loses and what it gets. A point changes its cell's
-// table only where its label changes. Integer sums, so the order does not matter.
+// For each cell: writes the chosen labels, and sums what leaves each shape and what joins it. A surfel changes its
+// cell's table only where its label changes. Integer sums, so the order does not matter.
 template <class Backend>
 struct Apply_chosen {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* chosen;
   Labels_view labels;
-  Shared_moments* change; // by shape, lost points with sign -1
+  Shared_moments* change; // by shape; points that leave have sign -1
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
@@ -321,7 +321,7 @@ struct Apply_chosen {
   }
 };
 
-// Points take the chosen labels, by position. Moments follow; boxes may be too large, because a lost point does not
+// Surfels take the chosen labels, by position. Moments follow; boxes may be too large, because what leaves does not
 // shrink them. Shapes may become empty.
 template <class Backend>
 void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
@@ -337,8 +337,8 @@ void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   add_deltas(backend, shapes);
 }
 
-// Assignments of one cloud. Each remembers the labels that it has chosen, and which points had neighbors in other
-// shapes. So the next one looks at those and at what has changed since, and chooses as if it looked at all points.
+// Assignments of one cloud. Each remembers the labels that it has chosen, and which surfels had neighbors in other
+// shapes. So the next one looks at those and at what has changed since, and chooses as if it looked at all surfels.
 template <class Backend>
 class Assignment {
   template <class T>
@@ -348,12 +348,12 @@ public:
   explicit Assignment(Labeled_cloud<Backend>& points)
     : points_(points), backend_(points.backend), block_(points.backend, points.cloud),
       chosen_(filled_buffer(backend_, points.cloud.size_with_ghosts(), no_index)),
-      border_(filled_buffer(backend_, block_.row.size(), Block_points(0))),
-      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_points(0)))
+      border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0))),
+      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_surfels(0)))
   {}
 
-  // Planes are those of the table that is rounded for the tests of points. What a shape gains by one point more follows
-  // from its size at the beginning.
+  // Planes are those of the table that is rounded for the tests of surfels. What a shape gains by one point more
+  // follows from its size at the beginning.
   void operator()(Shape_table<Backend>& shapes, const Stage_parameters& options)
   {
     update_tables(points_, shapes, tables::moments);
@@ -363,16 +363,16 @@ public:
     const Cloud_view cloud = points_.cloud.view();
     const std::size_t blocks = block_.row.size();
     Buffer<std::uint32_t> next(chosen_.size());
-    auto outside = filled_buffer(backend_, blocks, Block_points(0));
+    auto outside = filled_buffer(backend_, blocks, Block_surfels(0));
     auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
-    Buffer<Block_points> recent(blocks);
+    Buffer<Block_surfels> recent(blocks);
     backend_.for_each(chosen_.size(), Start_assignment<Backend>{cloud, points_.label(), assigned.data(), chosen_.data(),
                                                                 next.data(), outside.data(), options.growth.tolerance});
     const Assignment_passes<Backend> passes = {cloud,
                                                assigned.data(),
                                                blocks,
                                                block_.row.data(),
-                                               block_.of_point.data(),
+                                               block_.of_surfel.data(),
                                                outside.data(),
                                                recent.data(),
                                                {changes_.data(), changes_.data() + blocks},
@@ -405,9 +405,9 @@ private:
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
   Block_rows<Backend> block_;
-  Buffer<std::uint32_t> chosen_; // by point
-  Buffer<Block_points> border_;  // these two as in Assignment_passes
-  Buffer<Block_points> changes_;
+  Buffer<std::uint32_t> chosen_; // by surfel
+  Buffer<Block_surfels> border_; // these two as in Assignment_passes
+  Buffer<Block_surfels> changes_;
 };
 
 } // namespace CGAL::Tandem::internal

@@ -275,7 +275,7 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     return;
   const Targets<Backend> target =
     join_members(backend, shapes, unions.member.size(), Members_of_unions{unions.member.data()}, unions.target.data());
-  merge_points(points, shapes, target);
+  merge_surfels(points, shapes, target);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
 }
 

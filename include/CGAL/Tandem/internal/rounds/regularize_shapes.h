@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The regularity step of a round (section 4 of the paper): shapes that are large enough get the planes of their
-// relations, the others keep their local fits. Changes planes and history of the shapes, but no label: points follow in
-// apply_planes().
+// relations, the others keep their local fits. Changes planes and history of the shapes, but no label: surfels follow
+// in apply_planes().
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H

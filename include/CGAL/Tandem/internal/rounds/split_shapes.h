@@ -3,7 +3,7 @@
 //
 // A shape whose points lie on two planes becomes two shapes where that gains: layers that one plane has swallowed,
 // surfaces that bend, faces that meet at a small angle. The two planes are found in a sample of the points
-// (Split_gain), and the links that a split would cut are counted; then each point goes to the nearer one. Changes
+// (Split_gain), and the links that a split would cut are counted; then each surfel goes to the nearer one. Changes
 // labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
@@ -43,8 +43,8 @@ struct Point_sample {
   CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
-// A trial begins with the sides of the points of the sample. Then both sides are fitted, and points go to the nearer
-// plane, in turn. By a group of lanes, which share the points of the sample.
+// A trial begins with two halves of the sample. Then a plane is fitted to each half, and points go to that of the
+// nearer plane, in turn. By a group of lanes, which share the points of the sample.
 class Split_gain {
 public:
   static constexpr int starts = 7;
@@ -52,8 +52,8 @@ public:
 
   explicit Split_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance), minimum_size_(options.minimum_region_size),
-      per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance)),
-      far_(options.maximum_distance / 2)
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps)),
+      far_steps_(options.maximum_distance_steps / 2)
   {}
 
   // Whether a shape would be worth its price if it took all squared distances away.
@@ -69,7 +69,7 @@ public:
       return Split();
     const Eigen_system axes = eigen_system(s.scatter.matrix);
     const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
-    Halves halves(sample, all, [&](const Grid_point& p) { return is_on_second_side(s, axes, p, start); });
+    Halves halves(sample, all, [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start); });
     Split split;
     for(int step = 0; step < tuning::moves::split_steps; ++step) {
       if(halves.first.count < 3 || halves.second.count < 3)
@@ -102,7 +102,7 @@ private:
     return Lane_group::sum(sum);
   }
 
-  // The moments of those points of a sample that are on the second side, and of the others.
+  // The moments of those points of a sample that are in the second half, and of the others.
   struct Halves {
     template <class Predicate>
     CGAL_TANDEM_HD Halves(const Point_sample& sample, const Moments& all, Predicate is_second) : first(all)
@@ -135,7 +135,7 @@ private:
   }
 
   // Halves along both axes, of the distance, of the normal along both axes; middle and ends; near and far.
-  CGAL_TANDEM_HD bool is_on_second_side(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start) const
+  CGAL_TANDEM_HD bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start) const
   {
     const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
     const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
@@ -149,12 +149,12 @@ private:
     if(start == 3 || start == 4) {
       const Int_vector m = decode_normal(p.normal);
       const Vector n = {double(m.x), double(m.y), double(m.z)};
-      const double side = dot(n, axes.vector[0]) < 0 ? -1 : 1;
-      return side * dot(n, axes.vector[start == 3 ? 2 : 1]) > 0;
+      const double sign = dot(n, axes.vector[0]) < 0 ? -1 : 1;
+      return sign * dot(n, axes.vector[start == 3 ? 2 : 1]) > 0;
     }
     if(start == 5)
       return along * along * s.scatter.count > axes.value[2];
-    const double far = far_ * std::sqrt(s.scatter.squared_tolerance);
+    const double far = far_steps_ * std::sqrt(s.scatter.squared_tolerance);
     return distance > far || distance < -far;
   }
 
@@ -194,7 +194,7 @@ private:
   Tolerance tolerance_;
   std::int64_t minimum_size_;
   double per_square_; // units of the score for a squared grid step
-  double far_;        // in grid steps
+  double far_steps_;  // half of epsilon
 };
 
 // Shapes that may gain by a split.
@@ -205,7 +205,7 @@ struct May_split {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && gain.may_split(shape[id]); }
 };
 
-// The trials of a shape follow each other. A rank makes its share of them. By groups of lanes.
+// The trials of a shape follow each other. A rank makes its own items. By groups of lanes.
 struct Try_splits {
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
@@ -300,7 +300,7 @@ struct Count_cut {
   }
 
 private:
-  // From point i to points of the other part of its shape.
+  // From surfel i to surfels of the other part of its shape.
   CGAL_TANDEM_HD std::uint32_t links(std::uint32_t i, const Split& parts) const
   {
     const std::uint32_t* row = cloud.row(i);
@@ -344,7 +344,7 @@ struct Start_half {
   }
 };
 
-// A point goes to the nearer plane, of equally near ones to the first.
+// A surfel goes to the nearer plane, of equally near ones to the first.
 struct Choose_half {
   const Grid_point* point;
   const std::uint32_t* label;

@@ -55,11 +55,11 @@ struct Score_item {
 
   // A distance in units of a 2^15th of the tolerance, rounded. A point that only the exact check accepted may be a
   // little farther than the tolerance on the grid, and counts as that.
-  CGAL_TANDEM_HD std::uint64_t share_of(std::int64_t distance) const
+  CGAL_TANDEM_HD std::uint64_t fraction_of(std::int64_t distance) const
   {
     const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(45 + 15)
-    const std::uint64_t share = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
-    return share < tolerance_units ? share : tolerance_units;
+    const std::uint64_t fraction = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
+    return fraction < tolerance_units ? fraction : tolerance_units;
   }
 };
 
@@ -105,14 +105,14 @@ public:
   {}
 
   // Of a point at a distance in units of its tolerance.
-  CGAL_TANDEM_HD static std::int64_t weight_at(const Score_item& item, std::uint64_t share)
+  CGAL_TANDEM_HD static std::int64_t weight_at(const Score_item& item, std::uint64_t fraction)
   {
     constexpr std::uint64_t divisor = Score_item::tolerance_units * Score_item::tolerance_units / std::uint64_t(unit);
-    return item.weight * (unit - std::int64_t((share * share + divisor / 2) / divisor));
+    return item.weight * (unit - std::int64_t((fraction * fraction + divisor / 2) / divisor));
   }
   CGAL_TANDEM_HD static std::int64_t weight(const Score_item& item, std::int64_t distance)
   {
-    return weight_at(item, item.share_of(distance));
+    return weight_at(item, item.fraction_of(distance));
   }
 
   // Of so many links between two shapes, and between a shape and free points.

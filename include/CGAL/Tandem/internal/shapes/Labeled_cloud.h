@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cloud with its cells and labels: what passes over the points read and write. Points are numbered by their
+// The cloud with its cells and labels: what passes over the surfels read and write. Surfels are numbered by their
 // position in the sorted cloud. A cell is a range of these positions.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H
@@ -17,15 +17,15 @@
 
 namespace CGAL::Tandem::internal {
 
-// The shapes that may have points in a cell, in any order, maybe twice. There are too many to be listed if `size`
-// exceeds the capacity. A listed shape may have lost its points; a shape with points is never missing.
+// The shapes that may have surfels in a cell, in any order, maybe twice. There are too many to be listed if `size`
+// exceeds the capacity. A listed shape may have no surfel there any more; a shape with surfels is never missing.
 struct Cell_shapes {
   static constexpr std::uint32_t capacity = 64;
   std::uint32_t size;
   std::uint32_t shape[capacity];
 
-  // Whether the cell may have a point of a selected shape; if not, a pass over these shapes can leave it out. Called by
-  // all lanes.
+  // Whether the cell may have a surfel of a selected shape; if not, a pass over these shapes can leave it out. Called
+  // by all lanes.
   template <class Block, class Predicate>
   CGAL_TANDEM_HD bool may_have(Block& block, Predicate is_selected) const
   {
@@ -33,7 +33,7 @@ struct Cell_shapes {
   }
 };
 
-// The cells in equal parts, one after the other, with the shapes of their cells. Passes that look at points one by one
+// The cells in equal parts, one after the other, with the shapes of their cells. Passes that look at surfels one by one
 // are over parts, so that small clouds occupy a whole device.
 struct Cells_view {
   const Range* range;
@@ -60,7 +60,7 @@ struct Border_view {
   const std::uint32_t* proposal;
 };
 
-// The points with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
+// The surfels with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
 // cells. `proposal` is new in each pass of growth; the others never change.
 template <class Backend>
 struct Border {
@@ -69,17 +69,17 @@ struct Border {
 
   Buffer<Range> range; // by cell: its entries in the next two
   Buffer<std::uint32_t> point;
-  Buffer<std::uint32_t> proposal; // the shape that the point joins next, or no_index
+  Buffer<std::uint32_t> proposal; // the shape that the surfel joins next, or no_index
 
   Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
 };
 
-// When the bits of interior points were made. Points may have lost their labels since, and shapes may have united, but
-// within one phase only.
+// When the bits of interior surfels were made. Surfels may have become free since, and shapes may have united,
+// but within one phase only.
 enum class Phase { none, loop, end };
 
 // Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
-// point. The passes change lists, proposals, labels and states only.
+// surfel. The passes change lists, proposals, labels and states only.
 //
 // Lists and interior bits follow from the labels. They are out of date when a pass has changed labels, unless it keeps
 // them right itself. update_tables() makes them again.
@@ -129,7 +129,7 @@ struct Labeled_cloud {
     return {label_.data(), state_.data()};
   }
 
-  // Makes the tables of labels and states. Afterwards no point has a shape.
+  // Makes the tables of labels and states. Afterwards no surfel has a shape.
   void start_labels()
   {
     label_.reset(cloud.size_with_ghosts());
@@ -138,7 +138,7 @@ struct Labeled_cloud {
     has_lists_ = false;
   }
 
-  // Gives ghosts the labels of their points, after a pass.
+  // Gives ghosts the labels of their surfels, after a pass.
   void refresh_labels(Rings rings = Rings::inner)
   {
     ranks.refresh(label_.data(), sent_label_);

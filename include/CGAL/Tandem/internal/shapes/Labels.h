@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Labels and states of the points, and which bit means what.
+// Labels and states of the surfels, and which bit means what.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H
@@ -10,28 +10,28 @@
 
 namespace CGAL::Tandem::internal {
 
-// A label below first_mark is the shape of the point, so ids are below 2^31. Otherwise the point is free. While a cell
-// grows, first_mark + s is the claim of shape s. Claims are below the two constants, so the smallest value belongs to
-// the smallest id.
+// A label below first_mark is the shape of the surfel, so ids are below 2^31. Otherwise the surfel is free. While a
+// cell grows, first_mark + s is the claim of shape s. Claims are below the two constants, so the smallest value belongs
+// to the smallest id.
 constexpr std::uint32_t first_mark = 0x80000000u;
 constexpr std::uint32_t free_label = 0xffffffffu;
 constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; an assignment can
 
-// Bits of the state of a point. At any time at most one lane changes those of a point, so there are no races.
+// Bits of the state of a surfel. At any time at most one lane changes those of a surfel, so there are no races.
 constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
 constexpr std::uint8_t tried_seed_bit = 2; // it has been tried as a seed, or its shape was dissolved
 constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
-// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later: see
+// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may have another one later: see
 // Phase in Labeled_cloud.h.
 constexpr std::uint8_t interior_bit = 8;
 
-// The labels and states of points, by position in the sorted cloud.
+// The labels and states of surfels, by position in the sorted cloud.
 struct Labels_view {
   std::uint32_t* label;
   std::uint8_t* state;
 };
 
-// Whether a shape may still start at point i. Labels of other shapes and locked points exclude it.
+// Whether a shape may still start at surfel i. Labels of other shapes and locked surfels exclude it.
 CGAL_TANDEM_HD inline bool is_untried(const std::uint32_t* label, const std::uint8_t* state, std::uint32_t i)
 {
   return label[i] == free_label && !(state[i] & tried_seed_bit);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of the points that shapes win or lose in a pass, and numbers of points. They are gathered for each cell in a small table, and added to
-// the shapes at its end. All sums are of integers, so neither order nor number of threads matters.
+// Sums of the points that join or leave shapes in a pass, and numbers of points. They are gathered for each cell in a
+// small table, and added to the shapes at its end. All sums are of integers, so neither order nor number of threads
+// matters.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H

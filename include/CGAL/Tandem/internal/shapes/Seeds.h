@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where shapes start: the most planar points of a cell first, then those nearest to its center (section 3 of the
-// paper). Of equally planar points, those that are so within tighter bounds come first. They lie away from edges and
+// Where shapes start: the most planar surfels of a cell first, then those nearest to its center (section 3 of the
+// paper). Of equally planar surfels, those that are so within tighter bounds come first. They lie away from edges and
 // steps, where normals lean and a plane would bridge two surfaces. Computed once, before the first round.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
@@ -13,7 +13,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// The plane through a point with its own normal. The point must have one.
+// The plane through a surfel with its own normal. The surfel must have one.
 CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 {
   const Int_vector m = decode_normal(p.normal);
@@ -22,11 +22,11 @@ CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 
 struct Planarity {
   int all = 0;     // neighbors
-  int fitting = 0; // ... that fit the plane of the point itself, within its tolerance
+  int fitting = 0; // ... that fit the plane of the surfel itself, within its tolerance
   int close = 0;   // ... that do so within tighter bounds
 };
 
-// How planar the surface is at point i. All numbers are in [0, k]. A point without a normal has none of either.
+// How planar the surface is at surfel i. All numbers are in [0, k]. A surfel without a normal has none of either.
 CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
                                           const Tolerance& tight)
 {
@@ -65,21 +65,21 @@ struct Seeds {
   Seeds_view view() { return {seed.data(), count.data(), cursor.data()}; }
 };
 
-// The key of a point that is no seed. It is above all keys of seeds, so these points are sorted to the end of their
+// The key of a surfel that is no seed. It is above all keys of seeds, so these surfels are sorted to the end of their
 // cell.
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
 struct Seed_bounds {
   Tolerance tolerance, tight;
-  std::size_t cell_size; // most points of a cell
+  std::size_t cell_size; // most surfels of a cell
 };
 
-// The box of the points of a cell. Its middle is the center by which seeds are ordered.
+// The box of the surfels of a cell. Its middle is the center by which seeds are ordered.
 struct Box_scratch {
   Box box;
 };
 
-// Writes the key of each point, by position. The keys of a cell rise with falling planarity, then with the distance to
+// Writes the key of each surfel, by position. The keys of a cell rise with falling planarity, then with the distance to
 // the center, then with the position. So they are unique, and every way of sorting gives the same order.
 struct Rate_seeds {
   Cloud_view cloud;
@@ -100,13 +100,13 @@ struct Rate_seeds {
   }
 
 private:
-  // The key of a point. From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in
+  // The key of a surfel. From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in
   // units of 2^16; 16 for the place in the cell.
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
-    constexpr tuning::Ratio share = tuning::growth::seed_share;
-    if(score.all == 0 || !share.is_reached(score.fitting, score.all))
+    constexpr tuning::Ratio ratio = tuning::growth::seed_ratio;
+    if(score.all == 0 || !ratio.is_reached(score.fitting, score.all))
       return not_a_seed;
     const Grid_point& p = cloud.point[i];
     const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;
@@ -138,7 +138,7 @@ struct Take_seeds {
   }
 };
 
-// The seeds of all cells. The keys take 8 bytes a point meanwhile.
+// The seeds of all cells. The keys take 8 bytes a surfel meanwhile.
 template <class Backend>
 Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bounds)
 {

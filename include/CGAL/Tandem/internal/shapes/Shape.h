@@ -45,15 +45,15 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
 struct Shape_history {
-  Regular_plane checked = {};   // against which its points were checked last, and ...
+  Regular_plane checked = {};   // against which its surfels were checked last, and ...
   Regular_plane restarted = {}; // ... with which the whole shape was put on the frontier
   std::int32_t is_fitted = 0;   // its plane is fitted to the points that it has
   std::int32_t is_linked = 0;   // its links are those of its points and plane; wide, so that all bytes are defined
 
-  // Whether its plane has moved since its points were checked against it. Then they are checked again, and linked.
-  CGAL_TANDEM_HD bool check_again(const Box& box, const Regular_plane& plane, double maximum_distance)
+  // Whether its plane has moved since its surfels were checked against it. Then they are checked again, and linked.
+  CGAL_TANDEM_HD bool check_again(const Box& box, const Regular_plane& plane, double maximum_distance_steps)
   {
-    if(!(bound_motion(box, checked, plane) > tuning::motion::negligible * maximum_distance))
+    if(!(bound_motion(box, checked, plane) > tuning::motion::negligible * maximum_distance_steps))
       return false;
     checked = plane;
     is_linked = false;
@@ -61,9 +61,9 @@ struct Shape_history {
   }
 
   // Whether its plane has moved far since the whole shape was put on the frontier.
-  CGAL_TANDEM_HD bool restart_again(const Box& box, const Regular_plane& plane, double maximum_distance)
+  CGAL_TANDEM_HD bool restart_again(const Box& box, const Regular_plane& plane, double maximum_distance_steps)
   {
-    if(!(bound_motion(box, restarted, plane) > tuning::motion::restart * maximum_distance))
+    if(!(bound_motion(box, restarted, plane) > tuning::motion::restart * maximum_distance_steps))
       return false;
     restarted = plane;
     return true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The table of shapes, in the memory of the back end, where the points are. An id is a place in these tables, and the
-// label of the points of that shape. Ids out of use keep their places until grow_shapes() renumbers all shapes.
+// label of the surfels of that shape. Ids out of use keep their places until grow_shapes() renumbers all shapes.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
@@ -18,8 +18,8 @@ namespace CGAL::Tandem::internal {
 
 // Loops are over all ids; functors skip those out of use.
 //
-// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what shapes
-// win and lose to the moments, or leaves them out of date. update_tables() makes them again.
+// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what joins
+// shapes, and subtracts what leaves them, or leaves them out of date. update_tables() makes them again.
 template <class Backend>
 struct Shape_table {
   template <class T>
@@ -67,10 +67,10 @@ struct Shape_table {
   bool has_fits() const { return has_fits_; }
 
   std::size_t size = 0;              // ids, in use or not; the buffers may have room for more
-  Buffer<Plane> plane;               // rounded, for the tests of points
+  Buffer<Plane> plane;               // rounded, for the tests of surfels
   Buffer<std::uint16_t> steps;       // breadth-first steps of the next pass
-  Buffer<std::uint8_t> is_restarted; // grows again from all of its points in the next pass
-  Buffer<Shared_moments> delta;      // what a pass over the points adds to each shape; zero between passes
+  Buffer<std::uint8_t> is_restarted; // grows again from all of its surfels in the next pass
+  Buffer<Shared_moments> delta;      // what a pass over the surfels adds to each shape; zero between passes
 
 private:
   Buffer<Shape> shape_;
@@ -103,7 +103,7 @@ struct Has_points {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
 };
 
-// --- What a pass over the points adds to shapes, or takes from them: sums by shape, zero between two passes.
+// --- What a pass over the surfels adds to shapes, or takes from them: sums by shape, zero between two passes.
 
 // Whether anything was added: then the box is not empty, also where as many points came as went.
 CGAL_TANDEM_HD inline bool is_any(const Shared_moments& delta) { return delta.box.low[0] <= delta.box.high[0]; }
@@ -150,7 +150,8 @@ struct Put_deltas {
   }
 };
 
-// After a pass over the points of this rank: the sums of n shapes become those of all ranks. Each has changed few shapes.
+// After a pass over the surfels of this rank: the sums of n shapes become those of all ranks. Each has changed few
+// shapes.
 template <class Backend>
 void sum_moments(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, Shared_moments* delta)
 {
@@ -166,7 +167,7 @@ void sum_deltas(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backe
   sum_moments(backend, ranks, shapes.size, shapes.delta.data());
 }
 
-// Adds the sums to moments and boxes, and makes them zero again. A lost point does not shrink a box.
+// Adds the sums to moments and boxes, and makes them zero again. A box does not shrink when points leave.
 struct Add_deltas {
   Shape* shape;
   Shared_moments* delta;

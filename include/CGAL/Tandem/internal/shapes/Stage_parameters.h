@@ -28,7 +28,7 @@ struct Growth_parameters {
   std::size_t cell_size;    // most surfels of a cell
 };
 
-// Points of a cell, at most. The queue has two bytes a point, so that of a small cell fits into fast memory. The
+// Surfels of a cell, at most. The queue has two bytes a surfel, so that of a small cell fits into fast memory. The
 // largest cell is what 16 bits can address.
 constexpr std::uint32_t small_cell = 8192;
 constexpr std::uint32_t largest_cell = 65536;
@@ -37,8 +37,8 @@ constexpr std::uint32_t largest_cell = 65536;
 
 // The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {
-  double maximum_distance; // of level 0
-  double cosine;           // of maximum_angle, raised by what a normal may lose when it is rounded to float
+  double maximum_distance; // of level 0, in the caller's units
+  double cosine;           // of maximum_angle, raised by the rounding of a normal to float
 
   // Whether p is within the tolerance of its level for certain: true only if every order of evaluation in double finds it
   // so. The margin is relative to the sum of the terms, which bounds the error of rounding.
@@ -57,14 +57,13 @@ struct Exact_bounds {
   }
 };
 
-// The parameters of the stages. Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing
-// Parameters", and base/tuning.
+// The parameters of the stages. Sizes are numbers of points. See the manual, "Choosing Parameters", and base/tuning.
 struct Stage_parameters {
   Growth_parameters growth;
   Score score = Score(1, 1);
   Regularity_parameters regularity;
-  double maximum_distance; // epsilon
-  double squared_cosine;   // of alpha
+  double maximum_distance_steps; // epsilon
+  double squared_cosine;         // of alpha
   std::int64_t minimum_region_size;
   std::int64_t minimum_related_size;  // smaller shapes get no relations in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and
+// Which shapes touch: the edges of the neighbor graph between their surfels. Sets the interior bits of surfels, and
 // marks shapes as linked where only links of changed shapes are asked for; nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
@@ -15,7 +15,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// A pair of shapes and the number of edges of the neighbor graph between their points.
+// A pair of shapes and the number of edges of the neighbor graph between their surfels.
 struct Link {
   static constexpr std::uint64_t none = ~std::uint64_t(0);
 
@@ -58,9 +58,9 @@ struct Link_scratch {
   Link link[slots];
 };
 
-// Counts the edges from points of selected shapes to points of other shapes, cell by cell. An edge is directed, from a
-// point to one of its k neighbors. So a pair of selected shapes has its edges of both directions. Labels do not
-// change meanwhile, and a cell writes states of its own points only.
+// Counts the edges from surfels of selected shapes to surfels of other shapes, cell by cell. An edge is directed, from
+// a surfel to one of its k neighbors. So a pair of selected shapes has its edges of both directions. Labels do not
+// change meanwhile, and a cell writes states of its own surfels only.
 template <class Backend>
 struct Collect_links {
   Cloud_view cloud;
@@ -85,7 +85,7 @@ struct Collect_links {
   }
 
 private:
-  // Counts the edges of point i, by one lane. Neighbors of one shape often follow each other.
+  // Counts the edges of surfel i, by one lane. Neighbors of one shape often follow each other.
   template <class Block>
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {
@@ -174,7 +174,7 @@ Buffer_of<Backend, Link> join_links(Backend& backend, const Ranks<Backend>& rank
 }
 
 // The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
-// counted again with a larger one. Interior points found by then have no links, so none is lost.
+// counted again with a larger one. Interior surfels found by then have no links, so none is lost.
 template <class Backend>
 Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
                                        Phase phase)
@@ -184,7 +184,7 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
   std::uint8_t* const state = states_of(points, phase);
   Buffer_of<Backend, std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});
-  // Hardly more than a pair for 8 points: a bound where most shapes are on other ranks.
+  // Hardly more than a pair for 8 surfels: a bound where most shapes are on other ranks.
   const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.number_of_surfels() / 8);
   std::size_t size = 1024;
   while(size < pairs)

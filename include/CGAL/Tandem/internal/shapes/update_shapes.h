@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows from changed planes and merges: local fits, new labels, detached points, shapes that are put on the
+// What follows from changed planes and merges: local fits, new labels, detached surfels, shapes that are put on the
 // frontier again. Changes the table of shapes, labels, states and lists of the cells. Which shapes merge, and which
 // planes they have, is decided elsewhere.
 
@@ -64,7 +64,7 @@ struct Update_scratch {
   std::uint32_t labels[Cell_shapes::capacity];
 };
 
-// What becomes of the points of a shape
+// What becomes of the surfels of a shape
 struct Relabeling {
   const std::uint32_t* target;    // these two by old label
   const std::uint8_t* is_checked; // null: none is
@@ -74,17 +74,17 @@ struct Relabeling {
   CGAL_TANDEM_HD bool checks(std::uint32_t old) const { return is_checked != nullptr && is_checked[old] != 0; }
 };
 
-// Gives each point the label `target` of its shape. Where that is a mark the shape is dissolved, and its points are no
-// seeds any more. Where the shape is checked, points that do not fit are detached; those for the second time are
-// locked. A lane reads and writes label and state of its own point only. So points may come in any order.
+// Gives each surfel the label `target` of its shape. Where that is a mark the shape is dissolved, and its surfels are
+// no seeds any more. Where the shape is checked, surfels that do not fit are detached; those for the second time are
+// locked. A lane reads and writes label and state of its own surfel only. So surfels may come in any order.
 template <class Backend>
-struct Update_points {
+struct Update_surfels {
   Cloud_view cloud;
   const Range* cells;
   Cell_shapes* lists;
   Labels_view labels;
   Relabeling change;
-  Shared_moments* loss; // by new label: minus the detached points
+  Shared_moments* loss; // by new label: minus the points of detached surfels
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Update_scratch& scratch, std::uint32_t c) const
@@ -117,23 +117,23 @@ struct Update_points {
   }
 };
 
-// Relabels the points, and detaches those that do not fit the plane of a shape that is checked. Lists follow, and
-// moments; boxes do not shrink. is_checked: by old id; null if no point is tested.
+// Relabels the surfels, and detaches those that do not fit the plane of a shape that is checked. Lists follow, and
+// moments; boxes do not shrink. is_checked: by old id; null if no surfel is tested.
 template <class Backend>
-void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target,
-                   const std::uint8_t* is_checked, const Tolerance& tolerance)
+void update_surfels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target,
+                    const std::uint8_t* is_checked, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::lists);
   Shared_moments* const losses = start_deltas(backend, shapes, shapes.size);
   const Labels_view labels = points.change_labels(true);
   backend.template for_each_cell<Update_scratch>(
-    points.number_of_cells(), Update_points<Backend>{points.cloud.view(),
-                                                     points.cells.data(),
-                                                     points.lists(),
-                                                     labels,
-                                                     {target.data(), is_checked, shapes.plane.data(), tolerance},
-                                                     losses});
+    points.number_of_cells(), Update_surfels<Backend>{points.cloud.view(),
+                                                      points.cells.data(),
+                                                      points.lists(),
+                                                      labels,
+                                                      {target.data(), is_checked, shapes.plane.data(), tolerance},
+                                                      losses});
   points.refresh_labels();
   if(is_checked != nullptr) {
     sum_deltas(backend, points.ranks, shapes);
@@ -141,12 +141,12 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   }
 }
 
-// Merges the shapes and their points. No point is checked.
+// Merges the shapes and their surfels. No surfel is checked.
 template <class Backend>
-void merge_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
+void merge_surfels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
   merge_shapes(points, shapes, target);
-  update_points(points, shapes, target, nullptr, Tolerance());
+  update_surfels(points, shapes, target, nullptr, Tolerance());
 }
 
 template <class Predicate>
@@ -161,14 +161,14 @@ struct Drop_shape {
   }
 };
 
-// The points of the shapes with is_dropped(shape) are free again.
+// The surfels of the shapes with is_dropped(shape) are free again.
 template <class Backend, class Predicate>
 void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_dropped)
 {
   Targets<Backend> target(shapes.size);
   update_tables(points, shapes, tables::moments);
   for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.counted(), is_dropped, target.data()});
-  merge_points(points, shapes, target);
+  merge_surfels(points, shapes, target);
 }
 
 struct Is_below {
@@ -177,7 +177,7 @@ struct Is_below {
   CGAL_TANDEM_HD bool operator()(const Shape& shape) const { return shape.moments.count < size; }
 };
 
-// Dissolves the shapes of less than `minimum_size` points; their points are free again.
+// Dissolves the shapes of less than `minimum_size` points; their surfels are free again.
 template <class Backend>
 void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
@@ -190,7 +190,7 @@ struct Apply_plane {
   Plane* plane;
   std::uint8_t* is_restarted;
   std::uint8_t* is_moved;
-  double maximum_distance;
+  double maximum_distance_steps;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
@@ -199,7 +199,7 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    const double distance = maximum_distance * std::sqrt(squared_tolerance(s.moments));
+    const double distance = maximum_distance_steps * std::sqrt(squared_tolerance(s.moments));
     if(s.history.restart_again(s.box, s.plane, distance))
       is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
     is_moved[id] = s.history.check_again(s.box, s.plane, distance);
@@ -217,8 +217,8 @@ struct Check_moved {
   }
 };
 
-// Merges the shapes, and rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or
-// are new unions. Shapes that have moved far grow again from all of their points, since other points may fit now.
+// Merges the shapes, and rounds the planes for the tests of surfels. Detaches the misfits of shapes that have moved or
+// are new unions. Shapes that have moved far grow again from all of their surfels, since other surfels may fit now.
 // Motion is bounded over the box of a shape. It is measured since the last check or restart, so small motions add up.
 template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
@@ -228,9 +228,9 @@ void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   merge_shapes(points, shapes, target);
   for_each_shape(points.backend, shapes,
                  Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
-                             options.maximum_distance});
+                             options.maximum_distance_steps});
   for_each_shape(points.backend, shapes, Check_moved{target.data(), is_moved.data(), is_checked.data()});
-  update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
+  update_surfels(points, shapes, target, is_checked.data(), options.growth.tolerance);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -15,10 +15,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes a share of them, and gets
-// the others. Changes nothing but these fits.
+// --- Fits of moments that all ranks have. A fit costs an eigenvalue problem, so each rank makes its own items, and
+// gets the others. Changes nothing but these fits.
 
-// The own share of the fits, and the scatter of all moments, which costs less than to send it.
+// The fits of the own items, and the scatter of all moments, which costs less than to send it.
 template <class Fits>
 struct Make_fit {
   Fits fits;
@@ -64,7 +64,7 @@ struct Put_fit {
   }
 };
 
-// After the own share has been made: the fits of all ranks.
+// After the own items have been made: the fits of all ranks.
 template <class Backend, class Fits>
 void spread_fits(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Fits& fits)
 {
@@ -95,7 +95,7 @@ struct Last_shape {
   std::uint32_t shape = no_index;
 };
 
-// Makes the list of a cell from the labels of its points. Lanes append in any order: only membership is read.
+// Makes the list of a cell from the labels of its surfels. Lanes append in any order: only membership is read.
 struct List_shapes {
   const Range* cells;
   const std::uint32_t* label; // by position
@@ -162,7 +162,7 @@ CGAL_TANDEM_HD void relabel_list(Block& block, Cell_shapes& list, const std::uin
   });
 }
 
-// For cells without labeled points.
+// For cells without labeled surfels.
 struct Clear_lists {
   Cell_shapes* lists;
 
@@ -180,7 +180,7 @@ struct Members_by_label {
   }
 };
 
-// For each cell: the moments and boxes of the shapes of its points. Successive surfels often have the same shape, so
+// For each cell: the moments and boxes of the shapes of its surfels. Successive surfels often have the same shape, so
 // each lane sums a run of them before it looks up a slot.
 template <class Backend, class Members = Members_by_label>
 struct Sum_moments {
@@ -259,14 +259,14 @@ void fit_shapes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shap
   shapes.set_fitted();
 }
 
-// An interior point is skipped, since all of its neighbors have had its label. Neighbors may have lost it since.
+// An interior surfel is skipped, since all of its neighbors have had its label. Neighbors may have another one since.
 struct Clear_interior {
   std::uint8_t* state;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const { state[i] &= std::uint8_t(~interior_bit); }
 };
 
-// The states of the points, with interior bits of this phase.
+// The states of the surfels, with interior bits of this phase.
 template <class Backend>
 std::uint8_t* states_of(Labeled_cloud<Backend>& points, Phase phase)
 {

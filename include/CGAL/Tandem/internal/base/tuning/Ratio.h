@@ -15,13 +15,13 @@
 namespace CGAL::Tandem::internal {
 namespace tuning {
 
-// A share of a number of points, without rounding of floats.
+// A part of a number of points, without rounding of floats.
 struct Ratio {
   std::int64_t numerator, denominator;
 
   constexpr std::int64_t of(std::int64_t n) const { return n * numerator / denominator; }
 
-  // Whether the part is at least this share of the whole.
+  // Whether the part is at least this ratio of the whole.
   constexpr bool is_reached(std::int64_t part, std::int64_t whole) const
   {
     return part * denominator >= whole * numerator;

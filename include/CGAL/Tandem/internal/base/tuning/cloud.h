@@ -24,17 +24,17 @@ constexpr double minimum_steps_per_distance = 16;
 // second, there may be none.
 constexpr int fine_extent_bits = 18;
 constexpr int largest_extent_bits = 24;
-// Where the extent is beyond that, points far from the others are left out if they are at most this share, about what
-// does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be lost.
-constexpr Ratio far_share = {5, 100};
+// Where the extent is beyond that, points far from the others are left out if they are at most this ratio, about what
+// does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be left out.
+constexpr Ratio far_ratio = {5, 100};
 // Octaves below epsilon in which tolerances of points have a finer grid and smaller surfels. More: a coarser grid of
 // clouds of large extent; sums of distances need more bits.
 constexpr int maximum_octaves = 6;
 // Where points have tolerances and epsilon is not given, so many of them do not exceed it. Larger: few values that stand for
-// none decide on the grid. Smaller: points with the largest tolerances lose some of it.
+// none decide on the grid. Smaller: points with the largest tolerances get smaller ones.
 constexpr Ratio tolerances_within = {95, 100};
 // Of planes that were found elsewhere: longer tolerances count as this multiple of the extent of the points. All points
-// are within already; a coarser grid would lose their planes.
+// are within already; a coarser grid would miss their planes.
 constexpr double maximum_distance_per_extent = 4;
 
 } // namespace grid
@@ -42,17 +42,17 @@ constexpr double maximum_distance_per_extent = 4;
 // Points that detection takes together. See make_surfels.h and join_surfels.h.
 namespace surfels {
 
-// Surfels join, and neighbors are searched again, where more than this share of them would: in clusters that are smaller
-// than a cell .35 to .7 of them do, on scanned surfaces .2 to .24. Smaller: a second search that gains nothing.
+// Surfels join, and neighbors are searched again, where more than this ratio of them would: in clusters that are
+// smaller than a cell .35 to .7 of them do, on scanned surfaces .2 to .24. Smaller: a second search that gains nothing.
 constexpr Ratio joined = {3, 10};
 
 } // namespace surfels
 
-// Whether given normals have a side. See keep_to_sides.h.
+// Whether given normals are oriented. See cut_wall_sides.h.
 namespace orientation {
 
-// They have where this share of close neighbors on one plane agrees. All do where normals are oriented, .82 where a tenth
-// of them is wrong, half of them where they are not oriented.
+// They are where this ratio of close neighbors on one plane agrees. All do where normals are oriented, .82 where a
+// tenth of them is wrong, half of them where they are not oriented.
 constexpr Ratio agreement = {3, 4};
 // Surfels of which one is looked at. Larger: less time, and chance decides in small clouds.
 constexpr std::size_t surfels_per_sampled = 8;
@@ -72,16 +72,16 @@ constexpr double distance_per_noise = 2.5;
 constexpr double distance_per_spacing = .017;
 // But at most this multiple of the noise of the noisiest tenth. Larger: layers of precise scans become one.
 constexpr double distance_per_largest_noise = 3.8;
-// Less noise than this share of the spacing is that of rounding, which says nothing of epsilon.
+// Less noise than this fraction of the spacing is that of rounding, which says nothing of epsilon.
 constexpr double least_noise_per_spacing = .01;
-// Nor does that of clouds of which this share of the surfaces bends.
-constexpr double bent_share = .5;
+// Nor does that of clouds of which this ratio of the surfaces bends.
+constexpr double bent_ratio = .5;
 // epsilon is at least this power of two of the extent, so that the grid can hold the cloud.
 constexpr int minimum_distance_bits = -22;
 // epsilon in units of the largest coordinate where all points are equal, and, for planes that were found elsewhere and
 // have all of their points on them, in units of the extent. Any small length serves.
 constexpr double smallest_distance = 1e-6;
-// Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are lost.
+// Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are missed.
 constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
 // For planes that were found elsewhere: epsilon in units of the rms distance of their points.
@@ -91,14 +91,14 @@ constexpr double distance_per_rms = 2.5;
 // two surfaces close to each other, the second one is taken for noise of the first.
 constexpr int few_neighbors = 8;
 constexpr int noise_neighbors = 20;
-// Neighbors closer to each other than this share of the farthest one's distance are copies of one point. Smaller: copies
-// that were rounded are taken for a surface. Larger: points of a surface are lost.
+// Neighbors closer to each other than this fraction of the farthest one's distance are copies of one point. Smaller:
+// copies that were rounded are taken for a surface. Larger: points of a surface do not count.
 constexpr double copy_distance = .1;
 // Places that are enough for the noise about a plane.
 constexpr int minimum_places = 7;
 // Points of the sample, along the curve, of which the median counts. More: noise that varies is mixed; fewer: chance.
 constexpr std::size_t patch_size = 64;
-// Neighborhoods that are thicker than this share of their half-width show no surface. Larger: noise that exceeds the
+// Neighborhoods that are thicker than this fraction of their half-width show no surface. Larger: noise that exceeds the
 // spacing is underestimated, and edges count as noise.
 constexpr double surface_thickness = .3;
 // Thicker ones do if their residual is at most this multiple of that over the radius before, up to such a thickness: it
@@ -109,8 +109,8 @@ constexpr double flat_thickness = .6;
 constexpr std::size_t late_levels = 3;
 // Up to this multiple of the first residual, one of a larger radius is noise, too.
 constexpr double flat_growth = 1.5;
-// Steps of depth: surfaces with less than this share of the residual of a plane across, which is farther away along the
-// radius than so many residuals, and so many thinnings away at most.
+// Steps of depth: surfaces with less than this fraction of the residual of a plane across, which is farther away along
+// the radius than so many residuals, and so many thinnings away at most.
 constexpr double step_flatness = .001;
 constexpr double step_tilt = 2;
 constexpr int step_thinnings = 3;
@@ -129,7 +129,7 @@ constexpr int mixed_patches = 4;
 // were right 16 times of 27 with 1, 25 times with 1.2).
 constexpr double local_margin = 1.2;
 // But for that, no tolerance of a point is larger or smaller than that of the cloud by more than this factor.
-constexpr double largest_local_ratio = 8;
+constexpr double largest_local_factor = 8;
 
 // The noise varies where, of patches with the same residual over several radii, the high quantile of the smoothed noise
 // is more than this multiple of the low one: 6.5 to 21 times before depth cameras where one tolerance fails, 4.8 at most
@@ -137,12 +137,12 @@ constexpr double largest_local_ratio = 8;
 constexpr double varied_noise = 5.4;
 // The low quantile; the high one is as far from the end. Larger: a small noisy face does not count.
 constexpr double low_noise_quantile = .02;
-// And where of those that differ from the median by more than this factor at most such a share as many differ from their
+// And where of those that differ from the median by more than this factor at most this ratio as many differ from their
 // neighbors, too: .03 to .19 before depth cameras, .26 to .6 where vegetation and clutter differ.
 constexpr double same_noise = 1.2;
 constexpr Ratio differ_in_place = {22, 100};
-// Shares of patches, or of points, above which the estimate is said to be a compromise.
-constexpr double compromise_share = .25;
+// Ratios of patches, or of points, above which the estimate is said to be a compromise.
+constexpr double compromise_ratio = .25;
 
 // Points that are looked at in a large cloud, and points of a sampled cell. More: slower, hardly more precise.
 constexpr std::size_t sampled_points = std::size_t(1) << 17;
@@ -150,7 +150,7 @@ constexpr std::size_t sampled_cell_size = 2048;
 // The epsilon of the grid on which they are measured, as a power of two of the extent.
 constexpr int measured_distance_bits = -16;
 // Points at each end of an axis that do not count if the box of the others, with a margin of its width, is smaller than
-// this share of that of all. Then it is tried again.
+// this fraction of that of all. Then it is tried again.
 constexpr Ratio far_points = {1, 100};
 constexpr double far_extent = .25;
 

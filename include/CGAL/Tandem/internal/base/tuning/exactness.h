@@ -15,15 +15,15 @@ namespace exactness {
 
 // Degrees: packed normals are within .004.
 constexpr double packing_margin_deg = 0.006;
-// Grid steps: rounding a point costs up to .87, rounding a plane's normal up to 1.3; and the relative rounding of the
+// Rounding a point costs up to .87 grid steps, rounding a plane's normal up to 1.3; and the relative rounding of the
 // offset in the caller's coordinates.
-constexpr double distance_margin = 4;
+constexpr double distance_margin_steps = 4;
 constexpr double relative_margin = 1e-14;
-// Of a cosine: what a normal may lose when it is rounded to float.
+// Of a cosine: the rounding of a normal to float.
 constexpr double rounded_normal_margin = 2e-7;
 // Relative to the sum of the terms: the rounding of a distance in double.
 constexpr double evaluation_margin = 1e-15;
-// Of a dot product of unit vectors: its rounding, and what the normals on the grid of the Gauss map have lost more.
+// Of a dot product of unit vectors: its rounding, and the further rounding of normals on the grid of the Gauss map.
 constexpr double dot_margin = 1e-14;
 constexpr double rounded_dot_margin = 4e-7;
 // Relative to the largest eigenvalue of a scatter: the rounding of a sum of squared distances.

@@ -17,19 +17,20 @@ namespace tuning {
 // Seeds, and growth inside the octree cells (section 3 of the paper).
 namespace growth {
 
-// The tighter bounds by which equally planar seeds are ordered, as shares of epsilon and alpha. Larger: seeds near
+// The tighter bounds by which equally planar seeds are ordered, as fractions of epsilon and alpha. Larger: seeds near
 // edges and steps, where a plane bridges two surfaces.
-constexpr double tight_distance_share = 1. / 4;
-constexpr double tight_angle_share = 1. / 2;
+constexpr double tight_distance_fraction = 1. / 4;
+constexpr double tight_angle_fraction = 1. / 2;
 // Neighbors that have to fit the plane of a seed.
-constexpr Ratio seed_share = {1, 2};
+constexpr Ratio seed_ratio = {1, 2};
 // Shapes that may grow in a cell for a new one to begin, in the first rounds and later. The paper has one. More: fewer
 // rounds at the same quality; many more in the first rounds: shapes do not meet the faces they belong to.
 constexpr int young_seeds_in_flight = 8;
 constexpr int maximum_seeds_in_flight = 32;
 // Seeds of a cell that may fail in one pass. More: clutter is searched longer.
 constexpr int seed_tries = 64;
-// The core of a new shape: this share of the neighbors and the seed, but at most a share of a full cell.
+// The core of a new shape: one point of so many of the neighbors and the seed, but at most one of so many of a full
+// cell.
 constexpr std::size_t neighbors_per_core_point = 2;
 constexpr std::size_t cell_points_per_core_point = 8;
 // Breadth-first steps of a shape: 1, 2, 4, ... in its first passes, so many, then as many as in the last of them. More
@@ -56,12 +57,13 @@ constexpr std::size_t cells_per_untried_cell = 64;
 // A cell is untried with as many candidates as the smallest shape has points, or with more than one in so many of its
 // points.
 constexpr std::uint32_t points_per_untried_point = 4;
-// Sizes in shares of the minimum region size. Shapes below the share, or below the number of points, are
-// dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces are lost before they meet.
-constexpr Ratio fragment_share = {3, 20};
+// Sizes as ratios of the minimum region size. Shapes below the ratio, or below the number of points, are
+// dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces become free before they
+// meet.
+constexpr Ratio fragment_ratio = {3, 20};
 constexpr std::int64_t minimum_fragment_size = 6;
 // Smaller shapes get no relations in the loop: while they are young they tilt more than what they would be related to.
-constexpr Ratio related_share = {7, 20};
+constexpr Ratio related_ratio = {7, 20};
 
 } // namespace loop
 

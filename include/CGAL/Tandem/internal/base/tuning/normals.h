@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Normals where the caller gives none, and on which side of an edge points are. See Ratio.h.
+// Normals where the caller gives none, and edge sides. See Ratio.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_NORMALS_H
@@ -24,8 +24,8 @@ constexpr float good_error2 = 0.00274f;
 constexpr float excellent_error2 = 0.000305f;
 // Independent points that a neighborhood is worth more each time it has grown, in units of its first ones (measured).
 constexpr Ratio independent_growth = {6, 5};
-// Thinner than this share of epsilon is as good as flat.
-constexpr float noiseless_share = 0.02f;
+// Thinner than this fraction of epsilon is as good as flat.
+constexpr float noiseless_fraction = 0.02f;
 // Squared grid steps: no less than the variance of rounding to the grid, which is added to that of what is flat.
 constexpr float rounding_variance = 0.25f;
 // Neighborhoods that are narrower, in squared grid steps or relative to their width, determine no plane: what they are
@@ -37,15 +37,15 @@ constexpr int minimum_rough_neighbors = 3;
 // The weight of being thick, whatever the number of points, against the error from noise, which their number makes
 // small. Smaller: a large neighborhood across an edge counts as precise.
 constexpr float thickness_weight = 0.04f;
-// Closer to the plane than this share of epsilon is no clutter.
-constexpr float clutter_share = 0.5f;
-// Passes in which a point near an edge takes over the plane of a neighbor, and the largest share of its own cost that
-// the other plane may have.
-constexpr int adoption_passes = 4;
-constexpr float adoption_cost_share = 0.8f;
+// Closer to the plane than this fraction of epsilon is no clutter.
+constexpr float clutter_fraction = 0.5f;
+// Passes in which planes propagate: a surfel near an edge takes the plane of a neighbor whose cost is at most this
+// fraction of its own.
+constexpr int propagation_passes = 4;
+constexpr float propagation_cost_fraction = 0.8f;
 // How far the point may be from that plane (2 sigma) and from its center along the plane (4 sigma), squared.
-constexpr float adoption_thickness2 = 4;
-constexpr float adoption_width2 = 16;
+constexpr float propagation_thickness2 = 4;
+constexpr float propagation_width2 = 16;
 // A point farther than 3.5 sigma from its plane is clutter, squared. Larger: outliers get smooth normals.
 constexpr float clutter_thickness2 = 12;
 // Newton's steps to the smallest variance of a neighborhood, at most, and the last step: its product with the trace,
@@ -55,22 +55,22 @@ constexpr double last_variance_step = 2e-3;
 
 } // namespace normals
 
-// Points near edges, where normals are estimated.
-namespace sides {
+// Edge sides of surfels, where normals are estimated. See choose_edge_sides.h.
+namespace edge_sides {
 
-// A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this share of
+// A shape is on one side of a plane if the distances of its points, with their signs, sum to more than this ratio of
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
-// beyond it is near none. Larger: fewer points change sides under noise.
-constexpr Ratio clear_share = {1, 2};
+// beyond it is near none. Larger: fewer surfels change their edge side under noise.
+constexpr Ratio clear_ratio = {1, 2};
 // Fewest visits to points of a shape to which a normal is fitted again: about eight points.
 constexpr int minimum_visits = 24;
 // Visits to the points around per point: 2.5 to 3.2 (measured), since some are visited several times.
-constexpr double visits_per_point = 3;
+constexpr double visits_per_surfel = 3;
 // Squared alpha, in expected squared errors, that such a normal needs: three standard deviations. Smaller: noise alone
 // takes points near edges from dense clouds.
-constexpr double squared_alpha_per_error = 9;
+constexpr double alpha2_per_error = 9;
 
-} // namespace sides
+} // namespace edge_sides
 
 } // namespace tuning
 } // namespace CGAL::Tandem::internal

@@ -22,7 +22,7 @@ constexpr std::int64_t unit = 4096;
 constexpr Ratio link = {1, 2};
 // A link to a free point counts so often. Fewer: planes through clutter stay.
 constexpr std::int64_t free_link = 3;
-// Of a shape, in minimum sizes. From 1 on small faces are lost.
+// Of a shape, in minimum sizes. From 1 on small faces are missed.
 constexpr Ratio price = {3, 10};
 // What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
 // minimum size. Fewer: large faces turn farther, also to directions that are not theirs.
@@ -39,19 +39,19 @@ constexpr int rounds = 2;
 constexpr std::uint32_t assignment_passes = 12;
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
 constexpr std::uint32_t minimum_edges = 2;
-// Share of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
-// that the score of the union outweighs, though they fit their own plane.
+// Ratio of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points become
+// free that the score of the union outweighs, though they fit their own plane.
 constexpr Ratio misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
 // Points of the sample in which the two planes of a split are sought, and how often they are fitted.
 constexpr std::int64_t split_sample = 256;
 constexpr int split_steps = 5;
-// A shape needs at least this share of the neighbors of its points within epsilon of its plane. Planes through clutter
+// A shape needs at least this ratio of the neighbors of its points within epsilon of its plane. Planes through clutter
 // have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
 constexpr Ratio near_neighbors = {11, 20};
-// Largest rms of a crisp shape, in epsilons: its points are no clutter to others.
-constexpr double crisp_rms = 0.4;
+// Largest rms of a shape of low noise, in epsilons: its points are no clutter to others.
+constexpr double low_noise_rms = 0.4;
 
 } // namespace moves
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exact neighbors across ranks. Each rank has searched its own points. A point whose ball, up to its last neighbor,
-// meets a box of another rank is sent there; the nearest points within the ball come back, and the k smallest keys of
+// Exact neighbors across ranks. Each rank has searched its own surfels. A surfel whose ball, up to its last neighbor,
+// meets a box of another rank is sent there; the nearest surfels within the ball come back, and the k smallest keys of
 // all are its neighbors. A key is (squared distance, rank, position): the order of one process, as ranks have
-// consecutive points.
+// consecutive surfels.
 
 #ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
 #define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
@@ -20,7 +20,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Where the points of each rank are: some boxes of each, which all ranks know, with a tree over all of them.
+// --- Where the surfels of each rank are: some boxes of each, which all ranks know, with a tree over all of them.
 
 inline Node_box box_of(const Grid_point& p) { return {{p.x, p.y, p.z}, {p.x, p.y, p.z}}; }
 
@@ -33,17 +33,17 @@ inline Node_box box_around(const Grid_point* point, std::size_t n)
   return box;
 }
 
-// At most so many boxes around sorted points. The largest box is halved again and again, so that gaps between
-// consecutive points are in no box.
+// At most so many boxes around sorted surfels. The largest box is halved again and again, so that gaps between
+// consecutive surfels are in no box.
 inline std::vector<Node_box> cover(const Grid_point* point, std::size_t n, std::size_t maximum)
 {
   constexpr std::size_t grain = 32;
-  std::vector<Node_box> part; // of so many points each
+  std::vector<Node_box> part; // of so many surfels each
   for(std::size_t i = 0; i < n; i += grain)
     part.push_back(box_around(point + i, (std::min)(grain, n - i)));
   struct Run {
     std::uint64_t squared_size;
-    std::size_t first, last; // points; multiples of the grain, or within one part
+    std::size_t first, last; // surfels; multiples of the grain, or within one part
     Node_box box;
 
     bool operator<(const Run& r) const { return squared_size < r.squared_size; }
@@ -57,7 +57,7 @@ inline std::vector<Node_box> cover(const Grid_point* point, std::size_t n, std::
   std::priority_queue<Run> runs;
   if(n > 0)
     runs.push(run_of(0, n));
-  while(!runs.empty() && runs.size() < maximum && runs.top().squared_size > 0) { // hence at least two points
+  while(!runs.empty() && runs.size() < maximum && runs.top().squared_size > 0) { // hence at least two surfels
     const Run r = runs.top();
     runs.pop();
     std::size_t middle = (r.first + r.last) / 2;
@@ -66,7 +66,7 @@ inline std::vector<Node_box> cover(const Grid_point* point, std::size_t n, std::
     runs.push(run_of(r.first, middle));
     runs.push(run_of(middle, r.last));
   }
-  std::vector<Run> ordered; // as the points, so that boxes beside each other are near each other
+  std::vector<Run> ordered; // as the surfels, so that boxes beside each other are near each other
   for(; !runs.empty(); runs.pop())
     ordered.push_back(runs.top());
   std::sort(ordered.begin(), ordered.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
@@ -126,16 +126,16 @@ private:
   std::vector<std::uint32_t> rank_;          // by box
 };
 
-// --- The nearest points of this rank within balls around points of other ranks.
+// --- The nearest surfels of this rank within balls around surfels of other ranks.
 
-// A point for another rank, with the squared radius of its ball.
+// A surfel for another rank, with the squared radius of its ball.
 struct Ball {
   std::int32_t x, y, z;
   std::uint32_t gap; // so that all bytes are defined
   std::uint64_t squared;
 };
 
-// One of the points of a rank within a ball.
+// One of the surfels of a rank within a ball.
 struct Point_in_ball {
   std::uint64_t squared;
   std::uint64_t index; // wide, so that all bytes are defined
@@ -146,13 +146,13 @@ struct Point_in_ball {
   }
 };
 
-// The nearest points within a ball, in a box tree. All distances are exact.
+// The nearest surfels within a ball, in a box tree. All distances are exact.
 template <class Tree>
 class Ball_search {
 public:
   Ball_search(const Tree& tree, int k) : tree_(tree), k_(std::size_t(k)) {}
 
-  // At most k points, ascending.
+  // At most k surfels, ascending.
   std::vector<Point_in_ball> operator()(const Ball& ball) const
   {
     const Node_box center = {{ball.x, ball.y, ball.z}, {ball.x, ball.y, ball.z}};
@@ -220,7 +220,7 @@ private:
   std::size_t k_;
 };
 
-// A point of any rank: its position there.
+// A surfel of any rank: its position there.
 struct Rank_point {
   std::uint32_t rank, index;
 
@@ -228,7 +228,7 @@ struct Rank_point {
   bool operator==(const Rank_point& p) const { return rank == p.rank && index == p.index; }
 };
 
-// Where an entry of the rows of this rank is a point of another one.
+// Where an entry of the rows of this rank is a surfel of another one.
 struct Remote_entry {
   std::size_t entry;
   Rank_point point;
@@ -238,12 +238,12 @@ struct Remote_entry {
 template <class Host>
 class Border_search {
 public:
-  // The points of this rank, and their rows from a search among them.
+  // The surfels of this rank, and their rows from a search among them.
   Border_search(Communicator& communicator, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor)
     : communicator_(communicator), point_(point), n_(n), k_(std::size_t(k)), neighbor_(neighbor)
   {}
 
-  // Completes the rows. Entries that are points of other ranks are returned; their places in the table are undefined.
+  // Completes the rows. Entries that are surfels of other ranks are returned; their places in the table are undefined.
   std::vector<Remote_entry> operator()()
   {
     find_balls();
@@ -254,13 +254,13 @@ public:
   }
 
 private:
-  // A point that may have neighbors on a rank.
+  // A surfel that may have neighbors on a rank.
   struct Query {
     std::uint32_t rank, point;
   };
 
   static constexpr std::size_t boxes_of_rank = 256;
-  static constexpr std::uint32_t chunk = 256; // points that are tested together first
+  static constexpr std::uint32_t chunk = 256; // surfels that are tested together first
 
   // The squared distance to the last neighbor. A row that is not full has none that is far enough.
   std::uint64_t squared_radius(std::uint32_t i) const
@@ -286,8 +286,8 @@ private:
       }
   }
 
-  // Most points have a small ball: of these only the boxes near the chunk are looked at. Stray points have large ones,
-  // and look at all.
+  // Most surfels have a small ball: of these only the boxes near the chunk are looked at. Stray surfels have large
+  // ones, and look at all.
   void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c, std::vector<Query>& found) const
   {
     const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_),
@@ -323,7 +323,7 @@ private:
     }
   }
 
-  // For the balls of each rank: the number of points in each, and the points.
+  // For the balls of each rank: the number of surfels in each, and the surfels.
   void search(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,
               std::vector<std::vector<Point_in_ball>>& points)
   {
@@ -356,7 +356,7 @@ private:
     }
   };
 
-  // One after the other: the points with queries are few.
+  // One after the other: the surfels with queries are few.
   std::vector<Remote_entry> merge(const std::vector<std::vector<std::uint32_t>>& sizes,
                                   const std::vector<std::vector<Point_in_ball>>& found)
   {
@@ -398,7 +398,7 @@ private:
   std::size_t k_;
   std::uint32_t* neighbor_;
   std::vector<std::vector<Ball>> balls_;            // by rank
-  std::vector<std::vector<std::uint32_t>> queries_; // the same: their points, ascending
+  std::vector<std::vector<std::uint32_t>> queries_; // the same: their surfels, ascending
 };
 
 } // namespace CGAL::Tandem::internal

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points of other ranks that this rank refers to. They follow the own points in tables of points, ring by ring:
-// first the neighbors of own points, then those of the first ring, and so on. Within a ring they ascend by rank and
+// The surfels of other ranks that this rank refers to. They follow the own surfels in tables of surfels, ring by ring:
+// first the neighbors of own surfels, then those of the first ring, and so on. Within a ring they ascend by rank and
 // position.
 
 #ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H
@@ -25,7 +25,7 @@ struct Pack_other {
 
 template <class T>
 struct Sent_entry {
-  std::uint32_t place; // in the list of own points that are ghosts elsewhere, then among the ghosts from one rank
+  std::uint32_t place; // in the list of own surfels that are ghosts elsewhere, then among the ghosts from one rank
   T value;
 };
 
@@ -61,18 +61,18 @@ inline std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entrie
   return points;
 }
 
-// Tables of points are where the functors of the back end run; the rest is on the host.
+// Tables of surfels are where the functors of the back end run; the rest is on the host.
 template <class Backend>
 class Ghosts {
 public:
-  // n: number of own points.
+  // n: number of own surfels.
   Ghosts(Backend& backend, std::uint32_t n) : backend_(backend), communicator_(backend.communicator()), n_(n) {}
 
   std::size_t rings() const { return ring_.size(); }
   std::size_t size() const { return size_; }
   std::size_t ring_size(std::size_t r) const { return ring_[r].point.size(); }
 
-  // Adds a ring of so far unknown points, and tells their owners.
+  // Adds a ring of so far unknown surfels, and tells their owners.
   void add_ring(std::vector<Rank_point> points)
   {
     std::sort(points.begin(), points.end());
@@ -95,7 +95,8 @@ public:
     ring_.push_back(std::move(ring));
   }
 
-  // Appends the rows of the last ring, and adds what is unknown in them as the next one. neighbor: the rows of own points.
+  // Appends the rows of the last ring, and adds what is unknown in them as the next one. neighbor: the rows of own
+  // surfels.
   void add_next_ring(const std::uint32_t* neighbor, std::size_t k, std::vector<std::uint32_t>& rows)
   {
     const std::size_t last = rings() - 1, ghosts = ring_size(last);
@@ -116,7 +117,7 @@ public:
       rows.push_back(p.rank == no_index ? no_index : place_of(p));
   }
 
-  // The place of a point in tables of points; no_index if it is neither an own one nor a ghost.
+  // The place of a surfel in tables of surfels; no_index if it is neither an own one nor a ghost.
   std::uint32_t place_of(const Rank_point& p) const
   {
     if(int(p.rank) == communicator_.rank())
@@ -200,7 +201,7 @@ public:
 private:
   struct Ring {
     std::vector<Rank_point> point;              // ascending
-    Buffer_of<Backend, std::uint32_t> exported; // own points that are ghosts of this ring elsewhere
+    Buffer_of<Backend, std::uint32_t> exported; // own surfels that are ghosts of this ring elsewhere
     std::vector<std::size_t> exported_to;       // how many of them on each rank
     std::vector<std::size_t> imported_from;     // how many ghosts of each rank
     std::size_t offset;                         // of the first ghost among all

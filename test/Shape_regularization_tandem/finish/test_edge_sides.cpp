@@ -6,20 +6,20 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/choose_sides.h>
+#include <CGAL/Tandem/internal/finish/choose_edge_sides.h>
 
 #include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>
 
-BOOST_AUTO_TEST_SUITE(test_sides)
+BOOST_AUTO_TEST_SUITE(test_edge_sides)
 
 using namespace CGAL::Tandem::internal;
 
-class Slow_sides {
+class Slow_edge_sides {
 public:
-  explicit Slow_sides(const Fixture& f) : f_(f) {}
+  explicit Slow_edge_sides(const Fixture& f) : f_(f) {}
 
   // The plane of the points of the own shape around; no_normal if there are too few.
   std::uint32_t fit_naively(std::uint32_t i) const
@@ -28,11 +28,11 @@ public:
     for(std::uint32_t q : around(i))
       if(f_.label[q] == f_.label[i])
         sum.add(difference(f_.point[q], f_.point[i]));
-    const Thickness t = sum.size < tuning::sides::minimum_visits ? Thickness{0, 0} : thickness(sum.mean());
+    const Thickness t = sum.size < tuning::edge_sides::minimum_visits ? Thickness{0, 0} : thickness(sum.mean());
     const double gap = double(t.middle) - t.smallest, sine = std::sin(25 * 0.017453292519943295);
-    const double points = sum.size / tuning::sides::visits_per_point;
+    const double points = sum.size / tuning::edge_sides::visits_per_surfel;
     const double error2 = t.middle > 0 ? double(t.smallest) * t.middle / (gap * gap * points) : 1;
-    return error2 <= sine * sine / tuning::sides::squared_alpha_per_error
+    return error2 <= sine * sine / tuning::edge_sides::alpha2_per_error
              ? normals::encoded_normal(sum.mean(), t.smallest)
              : no_normal;
   }
@@ -64,8 +64,8 @@ public:
   }
 
   // The mean of the distances to plane t, with their signs and at most epsilon, of the points of shape s around i; 0 if
-  // it is at most a share of the mean of the absolute values.
-  double mean_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
+  // it is at most a ratio of the mean of the absolute values.
+  double mean_edge_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
     const double epsilon = double(f_.tolerance_of(i).distance);
     double sum = 0, size = 0;
@@ -79,8 +79,8 @@ public:
     };
     for(std::uint32_t q : around(i))
       add(q);
-    const tuning::Ratio share = tuning::sides::clear_share;
-    return double(share.denominator) * std::fabs(sum) > double(share.numerator) * size ? sum : 0;
+    const tuning::Ratio ratio = tuning::edge_sides::clear_ratio;
+    return double(ratio.denominator) * std::fabs(sum) > double(ratio.numerator) * size ? sum : 0;
   }
 
   bool is_aligned_naively(std::uint32_t s, std::uint32_t t) const
@@ -102,7 +102,7 @@ public:
       if(own >= first_mark || t >= first_mark || !seen.insert(t).second ||
          f_.distance(t, i) > std::uint64_t(f_.tolerance_of(i).distance) || is_aligned_naively(best, t))
         return;
-      const double of_best = mean_side(i, best, t), of_t = mean_side(i, t, best);
+      const double of_best = mean_edge_side(i, best, t), of_t = mean_edge_side(i, t, best);
       const double to_t = double(signed_distance(f_.plane[t], f_.point[i])),
                    to_best = double(signed_distance(f_.plane[best], f_.point[i]));
       if(of_best != 0 && of_t != 0 && (of_t > 0 ? to_best : -to_best) > (of_best > 0 ? to_t : -to_t)) {
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(bodies)
 {
   for(const Fixture& f : fixtures()) {
     const std::uint32_t n = f.cloud.size;
-    const Slow_sides slow(f);
+    const Slow_edge_sides slow(f);
     const Edge_view view = {f.cloud, f.label.data(), f.plane.data(), f.tolerance};
     std::vector<std::uint32_t> side(n), normal_of_side(n), normal_of_fit(n);
     std::size_t moved = 0, fitted = 0;
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(bodies)
     }
     CHECK_AT(n < 100 || (moved > 20 && fitted > 100), f.name + ": hardly any point changes");
     on_body_backends([&](auto backend, const std::string& name) {
-      const auto edge = edge_points(backend, view);
+      const auto edge = edge_surfels(backend, view);
       const auto check_normals = [&](const std::vector<std::uint32_t>& normal,
                                      const std::vector<std::uint32_t>& expected) {
         std::vector<Grid_point> point = f.point;
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(bodies)
       };
       std::vector<std::uint32_t> chosen(n), normal(n);
       backend.for_each(n, Copy_items<std::uint32_t>{view.label, chosen.data()});
-      backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()});
+      backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()});
       check_lists(chosen, side, name + ", " + f.name + ": sides");
       check_normals(normal, normal_of_side);
       backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()});

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points near an edge of two shapes, where normals are estimated. Such a normal is blended there, and says nothing
-// about the side. The place of the point does: it goes to the shape on whose side of the edge it lies. Then its normal
-// is fitted again, to points of that shape only. Given normals are never touched, and decide by themselves. Changes
-// labels and interior bits of points, their estimated normals, and moments and boxes of shapes. See the manual, "Sides
-// of an Edge".
+// Surfels near the edge of two shapes, where normals are estimated. Such a normal is blended there, and says nothing
+// about the edge side. The place of the surfel does: it goes to the shape on whose side of the edge it lies. Then its
+// normal is fitted again, to surfels of that shape only. Given normals are never touched, and decide by themselves.
+// Changes labels and interior bits of surfels, their estimated normals, and moments and boxes of shapes. See the
+// manual, "Edge Sides".
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
-#define CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_EDGE_SIDES_H
+#define CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_EDGE_SIDES_H
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/base/tuning/normals.h>
@@ -17,10 +17,10 @@
 
 namespace CGAL::Tandem::internal {
 
-// On which side of a plane the points of another shape lie: the sum of their signed distances, each at most epsilon,
+// On which side of a plane the surfels of another shape lie: the sum of their signed distances, each at most epsilon,
 // and that of the absolute values.
-struct Side {
-  std::int64_t sum = 0, size = 0; // in 2^-28 steps; below 2^39 a point, of which there are at most 2^18
+struct Edge_side {
+  std::int64_t sum = 0, size = 0; // in 2^-28 steps; below 2^39 a surfel, of which there are at most 2^18
 
   CGAL_TANDEM_HD void add(std::int64_t e, std::int64_t maximum)
   {
@@ -32,11 +32,11 @@ struct Side {
   // Where a shape goes on beyond the plane, neither side is its own.
   CGAL_TANDEM_HD bool is_clear() const
   {
-    constexpr tuning::Ratio share = tuning::sides::clear_share;
-    return (sum < 0 ? -sum : sum) * share.denominator > size * share.numerator;
+    constexpr tuning::Ratio ratio = tuning::edge_sides::clear_ratio;
+    return (sum < 0 ? -sum : sum) * ratio.denominator > size * ratio.numerator;
   }
 
-  // How far a point at the signed distance e is on this side.
+  // How far a surfel at the signed distance e is on this side.
   CGAL_TANDEM_HD std::int64_t depth(std::int64_t e) const { return sum > 0 ? e : -e; }
 };
 
@@ -48,7 +48,7 @@ CGAL_TANDEM_HD inline bool are_aligned(const Plane& a, const Plane& b, std::int6
   return cosine * cosine >= squared_cosine;
 }
 
-// The tables that the functors below read, and how they look around a point.
+// The tables that the functors below read, and how they look around a surfel.
 struct Edge_view {
   Cloud_view cloud;
   const std::uint32_t* label;
@@ -61,7 +61,7 @@ struct Edge_view {
     return t < first_mark && t != s && !are_aligned(plane[s], plane[t], tolerance.squared_cosine);
   }
 
-  // f(q) for the points around i, some of them several times, always in the same order. Three steps from neighbor to
+  // f(q) for the surfels around i, some of them several times, always in the same order. Three steps from neighbor to
   // neighbor, since noise hides the sides of an edge from fewer. The farther half of the neighbors overlaps less with
   // what has been seen; every second one suffices in the last step.
   template <class F>
@@ -76,7 +76,7 @@ struct Edge_view {
     });
   }
 
-  // That of the plane through the points of shape s around i; no_normal if they determine none.
+  // That of the plane through the surfels of shape s around i; no_normal if they determine none.
   CGAL_TANDEM_HD std::uint32_t normal_of_shape(std::uint32_t i, std::uint32_t s) const
   {
     const Grid_point p = cloud.point[i];
@@ -85,7 +85,7 @@ struct Edge_view {
       if(label[q] == s)
         sum.add(difference(cloud.point[q], p));
     });
-    if(sum.size < tuning::sides::minimum_visits)
+    if(sum.size < tuning::edge_sides::minimum_visits)
       return no_normal;
     const Neighborhood h = sum.mean();
     const Thickness t = thickness(h);
@@ -93,14 +93,14 @@ struct Edge_view {
   }
 
   // Whether the angle that noise turns such a plane by is expected to be below a third of alpha. Its square is the
-  // product of both variances, over the square of their difference and the number of independent points. A ball
+  // product of both variances, over the square of their difference and the number of independent surfels. A ball
   // determines no plane.
   CGAL_TANDEM_HD bool is_determined(const Thickness& t, int size) const
   {
     const double gap = double(t.middle) - t.smallest, scale = 4294967296.; // 2^32: see Tolerance
     const double squared_sine = scale - double(tolerance.squared_cosine);
-    return t.middle > 0 && exact_product(t.smallest, t.middle) * (tuning::sides::squared_alpha_per_error * scale) <=
-                             gap * gap * (double(size) / tuning::sides::visits_per_point) * squared_sine;
+    return t.middle > 0 && exact_product(t.smallest, t.middle) * (tuning::edge_sides::alpha2_per_error * scale) <=
+                             gap * gap * (double(size) / tuning::edge_sides::visits_per_surfel) * squared_sine;
   }
 
 private:
@@ -114,7 +114,7 @@ private:
   }
 };
 
-// Marks the points with a neighbor beyond an edge of their shape.
+// Marks the surfels with a neighbor beyond an edge of their shape.
 struct Mark_edge {
   Edge_view view;
   std::uint8_t* is_at_edge;
@@ -130,28 +130,28 @@ struct Mark_edge {
   }
 };
 
-// These points, ascending. They are few and take long, so the functors below run over this list, not over all points.
+// These surfels, ascending. They are few and take long, so the functors below run over this list, not over all surfels.
 template <class Backend>
-Buffer_of<Backend, std::uint32_t> edge_points(Backend& backend, const Edge_view& view)
+Buffer_of<Backend, std::uint32_t> edge_surfels(Backend& backend, const Edge_view& view)
 {
   Buffer_of<Backend, std::uint8_t> is_at_edge(view.cloud.size);
   backend.for_each(is_at_edge.size(), Mark_edge{view, is_at_edge.data()});
   return backend.compact(is_at_edge.size(), Is_marked{is_at_edge.data()});
 }
 
-// So many of these points are worth a thread.
-constexpr std::size_t edge_points_per_thread = 128;
+// So many of these surfels are worth a thread.
+constexpr std::size_t edges_per_thread = 128;
 
-// For each point at an edge: the shape on whose side it lies, and its next normal. Labels and normals are only read, so
-// the order of points does not matter.
+// For each surfel at an edge: the shape on whose side it lies, and its next normal. Labels and normals are only read,
+// so the order of surfels does not matter.
 //
-// Two half-planes end at an edge. A point that is displaced by noise is as likely to be from one as from the other
+// Two half-planes end at an edge. A surfel that is displaced by noise is as likely to be from one as from the other
 // where it is equally deep on both sides. So the place where two planes bisect their angle separates them, in the angle
-// and beyond it. On which sides of each other the shapes lie is seen from the points around.
-struct Choose_side {
+// and beyond it. On which sides of each other the shapes lie is seen from the surfels around.
+struct Choose_edge_side {
   Edge_view view;
-  const std::uint32_t* edge; // the points
-  std::uint32_t* chosen;     // by point: its next label ...
+  const std::uint32_t* edge; // the surfels
+  std::uint32_t* chosen;     // by surfel: its next label ...
   std::uint32_t* normal;     // ... and by place in the list its next normal
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
@@ -193,7 +193,7 @@ private:
     return true;
   }
 
-  // Whether point i of shape s is within epsilon of shape t, and on its side of their edge.
+  // Whether surfel i of shape s is within epsilon of shape t, and on its side of their edge.
   CGAL_TANDEM_HD bool is_beyond(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
     const std::int64_t epsilon = view.cloud.tolerance_of(i, view.tolerance).distance;
@@ -201,7 +201,7 @@ private:
     const Grid_point p = view.cloud.point[i];
     if(!is_near(plane_t, p, epsilon))
       return false;
-    Side of_s, of_t;
+    Edge_side of_s, of_t;
     view.for_each_around(i, [&](std::uint32_t q) {
       if(view.label[q] == s)
         of_s.add(signed_distance(plane_t, view.cloud.point[q]), epsilon);
@@ -213,11 +213,11 @@ private:
   }
 };
 
-// For each point at an edge: the normal of the plane through the points of its shape around. Where they determine none,
-// it keeps its normal.
+// For each surfel at an edge: the normal of the plane through the surfels of its shape around. Where they determine
+// none, it keeps its normal.
 struct Fit_to_shape {
   Edge_view view;
-  const std::uint32_t* edge; // the points
+  const std::uint32_t* edge; // the surfels
   std::uint32_t* normal;     // by place in the list: the next normal
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
@@ -236,25 +236,25 @@ struct Take_normals {
   CGAL_TANDEM_HD void operator()(std::size_t at) const { point[edge[at]].normal = normal[at]; }
 };
 
-// Computed from the labels before. All labeled points fit the planes of their shapes, which are rounded in the table;
+// Computed from the labels before. All labeled surfels fit the planes of their shapes, which are rounded in the table;
 // afterwards they still do. Shapes may become empty.
 template <class Backend>
-void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
+void choose_edge_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
-  const auto edge = edge_points(backend, view);
+  const auto edge = edge_surfels(backend, view);
   Buffer_of<Backend, std::uint32_t> chosen(n), normal(edge.size());
   backend.for_each(n, Copy_items<std::uint32_t>{points.label(), chosen.data()});
-  backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()}, edge_points_per_thread);
+  backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()}, edges_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
   take_chosen(points, shapes, chosen.data());
 }
 
-// Normals near edges are those of one shape. Labels stay, also of points that do not fit any more.
+// Normals near edges are those of one shape. Labels stay, also of surfels that do not fit any more.
 template <class Backend>
 void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
                            const Tolerance& tolerance)
@@ -262,13 +262,13 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
   Backend& backend = points.backend;
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
-  const auto edge = edge_points(backend, view);
+  const auto edge = edge_surfels(backend, view);
   Buffer_of<Backend, std::uint32_t> normal(edge.size());
-  backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edge_points_per_thread);
+  backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edges_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
 }
 
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
+#endif // CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_EDGE_SIDES_H
