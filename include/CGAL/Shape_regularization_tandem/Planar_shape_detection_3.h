@@ -53,13 +53,11 @@ public:
   using Shapes = Planar_shapes_3<Geom_traits>;
 
   /*!
-  reads the points, estimates the parameters that are not given, and finds the neighbors of the points.
+  copies the points, estimates the parameters that are not given, and finds the neighbors of the points. There are no
+  shapes yet.
   \param points a range of points
   \param np the named parameters of `detect_planes()`
-  \throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
-  `maximum_distance`
-  \throw std::length_error more than 2^31 points (of one process)
-  \throw std::range_error the extent of the cloud is more than 2^24 times 1e270
+  \throw std::exception as `detect_planes()`
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters())
@@ -69,8 +67,12 @@ public:
   }
 
   /*!
-  reads the points, estimates the parameters that are not given, and finds the neighbors of the points, with these
-  traits. With `Mpi_tag` the communicator is that of the traits.
+  does the same with the given traits, which are copied. Its named parameters `geom_traits` and `communicator` are not
+  read: the traits have the kernel and, with `Mpi_tag`, the communicator.
+  \param points a range of points
+  \param np the named parameters of `detect_planes()`
+  \param traits the traits
+  \throw std::exception as the constructor above
   */
   template <class NamedParameters>
   Planar_shape_detection_3(const Point_range& points, const NamedParameters& np, const Traits& traits)
@@ -96,8 +98,9 @@ public:
   Planar_shape_detection_3(const Planar_shape_detection_3&) = delete;
   Planar_shape_detection_3& operator=(const Planar_shape_detection_3&) = delete;
 
-  /// calls `iterate()` until nothing grows any more, then `finish()`. Returns `false` if the callback has cancelled the
-  /// detection.
+  /// calls `iterate()` until nothing grows any more, or the callback that was given to the constructor cancels the
+  /// detection, then `finish()`. Returns `false` after a cancellation. Throws what the callback throws, and
+  /// `std::runtime_error` if a device fails.
   bool detect()
   {
     while(iterate()) {
@@ -130,8 +133,9 @@ public:
     together([&] { progress_.show_end(); });
   }
 
-  /// returns the shapes: before `finish()` those of the last round, whose planes are not final; after `finish()` the
-  /// final ones. Copies of them share the tables of points.
+  /// returns the shapes. Before `finish()` these are the shapes after the last call of `iterate()`, for which the
+  /// guarantees need not hold yet; after `finish()` they are the final ones. The result does not change or end with the
+  /// detection. Copies of it share the memory of their tables.
   Shapes shapes() const
   {
     const internal::Round_to_nearest rounding;

@@ -22,7 +22,7 @@ namespace CGAL::Tandem {
 \brief The planar shapes of a point cloud, the points of each of them, and how they are related.
 
 Shapes, parallel groups and coplanar groups are numbered from 0, groups in the order in which the shapes have them
-first. A *parallel group* holds the shapes of one direction, a *coplanar group* those of one plane; a shape that is
+first. Functions have as a precondition that an index they take exists. A *parallel group* holds the shapes of one direction, a *coplanar group* those of one plane; a shape that is
 related to no other is alone in its groups. For a finished detection
 - each point is in at most one shape, within `maximum_distance` of its plane and `maximum_angle` of its normal;
 - the planes of a parallel group have the same normal, those of a coplanar group are the same plane, bit for bit;
@@ -76,7 +76,8 @@ public:
   /// returns the number of shapes
   std::size_t number_of_shapes() const { return planes_.size(); }
 
-  /// returns the plane of shape `s`, with a unit normal. All shapes of a parallel group have the same normal.
+  /// returns the plane of shape `s`, with a unit normal of arbitrary sign: see `oriented_plane()`. Shapes of a parallel
+  /// group have the same normal, bit for bit, sign included.
   const Plane_3& plane(std::size_t s) const { return planes_[s]; }
 
   /// returns the planes of all shapes
@@ -96,7 +97,7 @@ public:
   /// returns how well the points of shape `s` determine its plane
   const Plane_uncertainty& uncertainty(std::size_t s) const { return data_.uncertainty[s]; }
 
-  /// returns the number of points of shape `s`; with `Mpi_tag`, of all processes
+  /// returns the number of points of shape `s`. With `Mpi_tag`, it counts the points of all processes, without a message.
   std::size_t size(std::size_t s) const { return data_.size[s]; }
 
   /// returns the positions of the points of shape `s` in the caller's range, ascending. With `Mpi_tag`, this and the
@@ -187,8 +188,9 @@ public:
   /// returns whether the callback ended the detection early. The shapes found until then are complete and verified.
   bool is_cancelled() const { return data_.statistics.is_cancelled; }
 
-  /// returns a hash of the result, which is equal for equal results: of the shape indices, in the order of the range, of
-  /// the coefficients and, where they are estimated, of the normals
+  /// returns a hash of 64 bits by which results are compared: equal results have equal hashes, on every machine. It is of
+  /// the shape index of each point, in the order of the range, of the coefficients of each plane and, if they were
+  /// estimated, of the normals.
   std::uint64_t hash() const
   {
     std::uint64_t h = hash(data_.shape_of, data_.coefficients);
@@ -197,7 +199,8 @@ public:
     return h;
   }
 
-  /// returns the hash that a result with given normals has, if these are its shape indices and planes
+  /// returns what `hash()` returns for a result with these shape indices (of each point, -1 for none), these planes (of
+  /// each shape) and normals that were not estimated: so results that were written to files can be compared
   template <class IndexRange>
   static std::uint64_t hash(const IndexRange& shape_indices, const std::vector<Coefficients>& planes)
   {

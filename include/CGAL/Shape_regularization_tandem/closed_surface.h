@@ -49,7 +49,7 @@ struct Closed_surface_3 {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief finds a closed surface whose faces are in the planes of shapes.
+\brief returns a closed surface whose faces are in the planes of shapes.
 
 The planes cut the box of the points into cells, and a minimum cut chooses those that are inside. Walls that have no
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
@@ -62,10 +62,10 @@ the origin, faces may touch or cross.
 
 Include `CGAL/Shape_regularization_tandem_models.h`.
 
-With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
-each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points or a wall, 256 rays are tested with
-each plane, and each plane is tested with all cells. The outlines of `polygons()` are found before. With
-`CGAL_LINKED_WITH_TBB` this runs in parallel. The result is the same for every number of threads.
+Time grows with the number of cells, which is O(n) for n planes that meet only their neighbors, and O(n<sup>3</sup>) for
+planes that all cross each other. For each facet that has points or a wall, 256 rays are tested with each plane, and each
+plane is tested with all cells. The function also finds the outlines of `polygons()`. With `CGAL_LINKED_WITH_TBB` it runs
+in parallel. The result is the same for every number of threads.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
@@ -77,19 +77,23 @@ each plane, and each plane is tested with all cells. The outlines of `polygons()
     \cgalParamDefault{that of the range: the identity, or the point map of a `CGAL::Point_set_3`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_planes}
-    \cgalParamDescription{how many of the distinct planes are considered: those with most points}
+    \cgalParamDescription{how many distinct planes may bound the surface, those with most points; walls without points
+    are not counted}
     \cgalParamType{`int`, at least 4}
     \cgalParamDefault{200}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}
-    \cgalParamDescription{the direction upward: rays leave to its side, and walls that have no points go down from
-    borders}
+    \cgalParamDescription{the direction upward: sensors are above, and walls without points go down from the borders of
+    shapes}
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are
+\return the surface, empty if there is none
+
+\throw std::invalid_argument the number of points is not that of the detection, a point of a shape is not
+finite or farther from its plane than `maximum_distance`; fewer than four planes are
 asked for; the direction is null
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 */

@@ -39,11 +39,13 @@ the defaults then
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
     \cgalParamDescription{a property map from the value type of the range to `Vector_3`; the length does not matter, nor
-    does the orientation. `CGAL::Default()` selects estimated normals where the range has its own.}
+    does the orientation. `CGAL::Default()` selects estimated normals for a range that has normals, as
+    `CGAL::Point_set_3` may.}
     \cgalParamDefault{normals are estimated from the neighbors of each point}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the largest distance of a point to the plane of its shape, in units of the points}
+    \cgalParamDescription{the largest distance of a point to the plane of its shape, in units of the points, from 1e-270 to
+    1e270}
     \cgalParamDefault{as `estimate_parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance_map}
@@ -52,8 +54,8 @@ the defaults then
     does with the range. Then `maximum_distance` is an upper bound of the tolerances; where it is larger than all of them, it
     becomes the largest one. Points whose tolerance is not positive belong to no shape, and are counted; see
     \ref Tandem_parameters_tolerances}
-    \cgalParamDefault{all points have `maximum_distance`. With the map, and without `maximum_distance`, that is what
-    95 of 100 tolerances do not exceed}
+    \cgalParamDefault{all points have `maximum_distance`. With the map and without `maximum_distance`, the default of
+    `maximum_distance` is the 95th percentile of the tolerances}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_angle}
     \cgalParamDescription{the largest angle between the normal of a point and that of its shape, in degrees, in [0.05,
@@ -66,7 +68,8 @@ the defaults then
     \cgalParamDefault{8}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, in units of the points}
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, in units of the points, from
+    0 to 1e270}
     \cgalParamDefault{`maximum_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_region_size}
@@ -142,7 +145,8 @@ the defaults then
 \return the shapes as a `Planar_shapes_3`
 
 \throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
-`maximum_distance` and more than one point in twenty is a quarter of that away from the median on an axis
+`maximum_distance` without few far points: up to one point in twenty that is far from the median on an axis, by a quarter
+of that length, is left out and counted
 \throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails

@@ -117,10 +117,10 @@ std::vector<double> estimate_local_distances(const PointRange& points, const Nam
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-returns the `maximum_distance` for points whose noise is known: the same multiple of the noise as in
-`estimate_parameters()`.
+returns the `maximum_distance` for points whose noise is known, in the unit of the noise: a fixed multiple of it, which
+`estimate_parameters()` takes as well and \ref Tandem_parameters_estimated tells. No value is refused: 0 gives 0, NaN gives NaN.
 
-\param noise the standard deviation of the distances of points to their plane
+\param noise the standard deviation of the signed distances of points to their plane
 */
 inline double distance_of_noise(double noise) { return internal::tuning::estimation::distance_per_noise * noise; }
 

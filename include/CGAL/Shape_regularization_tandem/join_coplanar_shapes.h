@@ -47,7 +47,8 @@ points, up to rounding in their order. Numbers of shapes and relations are count
 \param points the range of points that it is of
 \param np an optional sequence of named parameters, of which `point_map` is read
 
-\throw std::invalid_argument the points are not those of the detection, as `polygons()` says
+\throw std::invalid_argument the number of points is not that of the detection, or a point of a shape is not
+finite or farther from its plane than `maximum_distance`
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -129,9 +129,9 @@ A point gets the shape with the nearest plane among the shapes that can take it.
 - if `shape_points` are given, within `reach` of one of the points of the shape. Without them, planes have no
   end: all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
 
-Of shapes with the same plane, the one with the nearest of `shape_points` takes the point, without these that of the
-lowest index. Each point is judged by itself, so of the promises of `Planar_shapes_3` only the first holds for the
-labels: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer
+If several shapes have the nearest plane, the shape with the nearest of `shape_points` gets the point; without
+`shape_points` the shape of the lowest index does. Each point is judged by itself. So the labels keep only one promise of
+`Planar_shapes_3`: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer
 than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
 
 The result is the same for every order of the points and for every tag and number of threads. Time is
@@ -170,7 +170,8 @@ detection would ignore: a coordinate, normal or tolerance is not finite, or the 
 
 \throw Parameter_error a parameter is outside of its range
 \throw std::invalid_argument
-`shape_points` are not those of the detection, as `polygons()` says, or have no spacing and no `reach`
+the number of `shape_points` is not that of the detection, or one of a shape is not
+finite or farther from its plane than `maximum_distance`; or all are equal and there is no `reach`
 \throw std::length_error more than 2^31 points
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,

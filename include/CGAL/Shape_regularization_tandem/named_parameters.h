@@ -210,22 +210,23 @@ Parameter_type<Tag, NP, D> parameter(const NP& np, const D& otherwise)
 
 namespace parameters {
 
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
-returns the list, as there is nothing to be added to it.
-*/
+/// \cond SKIP_IN_MANUAL
 template <typename NP>
 const NP& combine(const NP& np)
 {
   return np;
 }
+/// \endcond
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-adds to a list of CGAL the parameters of other lists, each of which has a single one:
+returns a list with the parameters of all given lists, such as
 `combine(CGAL::parameters::point_map(pm).normal_map(nm), maximum_distance(.05), cell_size(4096))`.
+
+\param np a list of any length, of `CGAL::parameters` or of `CGAL::Tandem::parameters`
+\param one, others lists of one parameter each; longer ones do not compile. If a parameter is given twice, the last one
+counts.
 */
 template <typename NP, typename T, typename Tag, typename... Others>
 auto combine(const NP& np, const CGAL::Named_function_parameters<T, Tag>& one, const Others&... others)

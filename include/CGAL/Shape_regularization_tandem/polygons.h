@@ -69,15 +69,15 @@ public:
   */
   class Frame {
   public:
-    /// returns the two coordinates of a point that are those of the frame
+    /// returns two of the three coordinates of point `p`: those that the frame has
     Point_2 to_2d(const Point_3& p) const
     {
       const std::array<double, 3> position = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
       return frame_.projected(position);
     }
 
-    /// returns the point of the plane with these two coordinates. For corners of polygons, this is the point of the table up to
-    /// the rounding of its third coordinate.
+    /// returns the point of the plane whose two coordinates in the frame are those of `p`. The third one is computed
+    /// from the plane. For a corner of a polygon it may differ by rounding from that in `points()`.
     Point_3 to_3d(const Point_2& p) const
     {
       using FT = typename GeomTraits::FT;
@@ -105,7 +105,7 @@ public:
   /// \name Entries
   /// @{
 
-  /// returns the number of entries: of shapes, or of distinct planes
+  /// returns the number of entries, which is that of shapes, or of distinct planes with `one_for_each_plane`
   std::size_t number_of_entries() const { return table_.polygons.size(); }
 
   /// returns whether entry `i` has no polygon
@@ -118,10 +118,10 @@ public:
                                      [](const std::vector<Indexed_polygon>& polygons) { return polygons.empty(); }));
   }
 
-  /// returns the corners of all polygons, each once
+  /// returns the corners of all polygons: the table of which `Indexed_polygon` has positions. No corner is in it twice.
   const std::vector<Point_3>& points() const { return points_; }
 
-  /// returns the polygons of entry `i`, whose corners are positions in `points()`
+  /// returns the polygons of entry `i`, with positions of their corners in `points()`
   const std::vector<Indexed_polygon>& polygons(std::size_t i) const { return table_.polygons[i]; }
 
   /// returns the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normal of its
@@ -135,18 +135,18 @@ public:
     return result;
   }
 
-  /// the area of the polygons of entry `i` in space
+  /// returns the area of the polygons of entry `i`, in squared units of the points
   double area(std::size_t i) const { return table_.areas[i]; }
   /// @}
 
   /// \name In Two Dimensions
   /// @{
 
-  /// returns the frame of entry `i`
+  /// returns the frame of entry `i`, in which `polygons_2()` has its polygons
   Frame frame(std::size_t i) const { return Frame(table_.frames[i]); }
 
-  /// returns the polygons of entry `i` in its frame, in the order of `polygons(i)`: outer boundaries are counterclockwise, holes
-  /// are clockwise
+  /// returns the polygons of entry `i` with two-dimensional coordinates, those of `frame(i)`, in the order of
+  /// `polygons(i)`: outer boundaries are counterclockwise, the holes of each are clockwise
   std::vector<Polygon_with_holes_2> polygons_2(std::size_t i) const
   {
     std::vector<Polygon_with_holes_2> result;

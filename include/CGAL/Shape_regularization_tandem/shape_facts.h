@@ -69,8 +69,8 @@ The result is the same for every number of threads.
 
 \return an entry for each shape
 
-\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; the direction is null or not
-finite
+\throw std::invalid_argument the number of points is not that of the detection; a point of a shape is not
+finite or farther from its plane than `maximum_distance`; the direction is null or not finite
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>

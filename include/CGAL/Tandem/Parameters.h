@@ -87,7 +87,7 @@ public:
     : std::invalid_argument(name + " is " + value + ", allowed is " + range), name_(name), value_(value), range_(range)
   {}
 
-  /// returns the name of the parameter, such as `maximum_angle`.
+  /// returns the name of the named parameter that is outside of its range, such as `maximum_angle`.
   const std::string& name() const { return name_; }
   /// returns the value that was passed, as text.
   const std::string& value() const { return value_; }
@@ -118,7 +118,7 @@ enum class Detection_stage {
 };
 
 /// \ingroup PkgShapeRegularizationTandemRef
-/// returns the progress, in [0, 1], at which a stage begins
+/// returns the progress, in [0, 1], that a detection reports when it begins the given stage: a constant
 inline double first_progress(Detection_stage stage)
 {
   constexpr double first[] = {0, .1, .2, .35, .4, .8, 1, 1};

@@ -41,7 +41,7 @@ struct Result_score {
   double freedom = 0; ///< not positive: `regularity` (m + N / 10) for a degree of freedom, N being the points of its
                       ///< largest shape
 
-  /// the sum of all terms
+  /// returns the score: the sum of the five terms, in points
   double total() const { return fit + links + size + price + freedom; }
 };
 
@@ -60,7 +60,7 @@ struct Free_points {
   std::size_t clutter = 0;           ///< the others: at most half do
   std::size_t unselected = 0;        ///< their shape was left out by `select_shapes()`, whatever else holds
 
-  /// all of them
+  /// returns the number of free points: the sum of the six numbers above
   std::size_t total() const
   {
     return without_normal + misfit + without_neighbors + in_small_regions + clutter + unselected;
