@@ -161,7 +161,8 @@ public:
   /// returns the parameters in use, estimated ones included
   const Parameters& parameters() const { return parameters_; }
 
-  /// returns whether the callback has cancelled the detection. If it did so after the last round, the result is complete.
+  /// returns whether the callback has cancelled the detection. If it did so after the last round, the result is
+  /// complete.
   bool is_cancelled() const { return progress_.is_cancelled(); }
 
 private:

@@ -22,8 +22,9 @@ namespace CGAL::Tandem {
 \brief The planar shapes of a point cloud, the points of each of them, and how they are related.
 
 Shapes, parallel groups and coplanar groups are numbered from 0, groups in the order in which the shapes have them
-first. Functions have as a precondition that an index they take exists. A *parallel group* holds the shapes of one direction, a *coplanar group* those of one plane; a shape that is
-related to no other is alone in its groups. For a finished detection
+first. Functions have as a precondition that an index they take exists. A *parallel group* holds the shapes of one
+direction, a *coplanar group* those of one plane; a shape that is related to no other is alone in its groups. For a
+finished detection
 - each point is in at most one shape, within `maximum_distance` of its plane and `maximum_angle` of its normal;
 - the planes of a parallel group have the same normal, those of a coplanar group are the same plane, bit for bit;
 - the unit normals of two orthogonal parallel groups have a dot product of at most 1e-15, in absolute value;
@@ -97,7 +98,8 @@ public:
   /// returns how well the points of shape `s` determine its plane
   const Plane_uncertainty& uncertainty(std::size_t s) const { return data_.uncertainty[s]; }
 
-  /// returns the number of points of shape `s`. With `Mpi_tag`, it counts the points of all processes, without a message.
+  /// returns the number of points of shape `s`. With `Mpi_tag`, it counts the points of all processes, without a
+  /// message.
   std::size_t size(std::size_t s) const { return data_.size[s]; }
 
   /// returns the positions of the points of shape `s` in the caller's range, ascending. With `Mpi_tag`, this and the
@@ -117,8 +119,8 @@ public:
   /// returns the shape of the point at position `i` of the caller's range, -1 if it has none
   int shape_index(std::size_t i) const { return data_.shape_of[i]; }
 
-  /// returns the shape of each point, -1 for none: a range with iterators, `size()`, `empty()` and an index operator. Copies
-  /// share the indices.
+  /// returns the shape of each point, -1 for none: a range with iterators, `size()`, `empty()` and an index operator.
+  /// Copies share the indices.
   const Shape_indices& shape_indices() const { return data_.shape_of; }
 
   /// returns whether the normals were estimated
@@ -188,8 +190,8 @@ public:
   /// returns whether the callback ended the detection early. The shapes found until then are complete and verified.
   bool is_cancelled() const { return data_.statistics.is_cancelled; }
 
-  /// returns a hash of 64 bits by which results are compared: equal results have equal hashes, on every machine. It is of
-  /// the shape index of each point, in the order of the range, of the coefficients of each plane and, if they were
+  /// returns a hash of 64 bits by which results are compared: equal results have equal hashes, on every machine. It is
+  /// of the shape index of each point, in the order of the range, of the coefficients of each plane and, if they were
   /// estimated, of the normals.
   std::uint64_t hash() const
   {

@@ -100,8 +100,8 @@ using Point_with_plane = std::tuple<typename GeomTraits::Point_3, typename GeomT
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief returns the points of the shapes, projected onto their planes, each with the oriented normal of its plane and with
-its coplanar group.
+\brief returns the points of the shapes, projected onto their planes, each with the oriented normal of its plane and
+with its coplanar group.
 
 `CGAL::Polygonal_surface_reconstruction` fits a plane of its own to each group of points. Given the projected points of
 a plane, that fit is the plane.
@@ -135,8 +135,8 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief writes the shape of each point, or -1, into the `int` property `name` of the point set, which is added if it is not
-there. CGAL writes the property to files and CGAL Lab shows it. It also serves as `plane_index_map`.
+\brief writes the shape of each point, or -1, into the `int` property `name` of the point set, which is added if it is
+not there. CGAL writes the property to files and CGAL Lab shows it. It also serves as `plane_index_map`.
 
 \param points the points that the shapes were detected in
 \param shapes the shapes

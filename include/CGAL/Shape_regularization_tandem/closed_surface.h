@@ -31,15 +31,16 @@ template <class GeomTraits>
 struct Closed_surface_3 {
   /// the corners
   std::vector<typename GeomTraits::Point_3> points;
-  /// positions of the corners of each face in `points`, counterclockwise as seen from outside. Faces need not be convex;
-  /// a part of a plane with holes is several faces.
+  /// positions of the corners of each face in `points`, counterclockwise as seen from outside. Faces need not be
+  /// convex; a part of a plane with holes is several faces.
   std::vector<std::vector<std::size_t>> faces;
-  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a side of the box of the points
+  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a side of the box of the
+  /// points
   std::vector<int> plane_of_face;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
-  /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all points
-  /// of shapes says that much of the scan is no part of a volume.
+  /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all
+  /// points of shapes says that much of the scan is no part of a volume.
   std::size_t number_of_points = 0;
 
   /// returns whether nothing is enclosed
@@ -55,17 +56,17 @@ The planes cut the box of the points into cells, and a minimum cut chooses those
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
 
 The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
-is empty if the planes enclose nothing, or if fewer than four planes, walls included, have an area. Corners are rounded to
-`FT`, and the ends of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in their
-planes up to that, and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from
-the origin, faces may touch or cross.
+is empty if the planes enclose nothing, or if fewer than four planes, walls included, have an area. Corners are rounded
+to `FT`, and the ends of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in
+their planes up to that, and where planes come closer to each other than rounding allows, as of a `Kernel` of `float`
+far from the origin, faces may touch or cross.
 
 Include `CGAL/Shape_regularization_tandem_models.h`.
 
 Time grows with the number of cells, which is O(n) for n planes that meet only their neighbors, and O(n<sup>3</sup>) for
-planes that all cross each other. For each facet that has points or a wall, 256 rays are tested with each plane, and each
-plane is tested with all cells. The function also finds the outlines of `polygons()`. With `CGAL_LINKED_WITH_TBB` it runs
-in parallel. The result is the same for every number of threads.
+planes that all cross each other. For each facet that has points or a wall, 256 rays are tested with each plane, and
+each plane is tested with all cells. The function also finds the outlines of `polygons()`. With `CGAL_LINKED_WITH_TBB`
+it runs in parallel. The result is the same for every number of threads.
 
 \param shapes the result of a detection
 \param points the range of points that it is of

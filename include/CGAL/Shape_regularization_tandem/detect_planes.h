@@ -44,15 +44,15 @@ the defaults then
     \cgalParamDefault{normals are estimated from the neighbors of each point}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the largest distance of a point to the plane of its shape, in units of the points, from 1e-270 to
-    1e270}
+    \cgalParamDescription{the largest distance of a point to the plane of its shape, in units of the points, from 1e-270
+    to 1e270}
     \cgalParamDefault{as `estimate_parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance_map}
     \cgalParamDescription{a property map from the value type of the range to a number type: the largest distance of each
     point to the plane of its shape, in units of the points, for points whose noise differs, as that of a depth camera
-    does with the range. Then `maximum_distance` is an upper bound of the tolerances; where it is larger than all of them, it
-    becomes the largest one. Points whose tolerance is not positive belong to no shape, and are counted; see
+    does with the range. Then `maximum_distance` is an upper bound of the tolerances; where it is larger than all of
+    them, it becomes the largest one. Points whose tolerance is not positive belong to no shape, and are counted; see
     \ref Tandem_parameters_tolerances}
     \cgalParamDefault{all points have `maximum_distance`. With the map and without `maximum_distance`, the default of
     `maximum_distance` is the 95th percentile of the tolerances}
@@ -68,8 +68,8 @@ the defaults then
     \cgalParamDefault{8}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, in units of the points, from
-    0 to 1e270}
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, in units of the points,
+    from 0 to 1e270}
     \cgalParamDefault{`maximum_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_region_size}
@@ -77,13 +77,13 @@ the defaults then
     \cgalParamDefault{as `estimate_parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{simplicity}
-    \cgalParamDescription{what the size of a shape is worth, in [0, 1]: the smaller, the more layers and details are shapes
-    of their own; the larger, the fewer and larger the shapes}
+    \cgalParamDescription{what the size of a shape is worth, in [0, 1]: the smaller, the more layers and details are
+    shapes of their own; the larger, the fewer and larger the shapes}
     \cgalParamDefault{0.04}
   \cgalParamNEnd
   \cgalParamNBegin{regularity}
-    \cgalParamDescription{what a degree of freedom is worth, in `minimum_region_size`, in [0, 10]: the smaller, the closer
-    planes stay to their points; the larger, the more of them are parallel, orthogonal or coplanar}
+    \cgalParamDescription{what a degree of freedom is worth, in `minimum_region_size`, in [0, 10]: the smaller, the
+    closer planes stay to their points; the larger, the more of them are parallel, orthogonal or coplanar}
     \cgalParamDefault{0.1}
   \cgalParamNEnd
   \cgalParamNBegin{surfel_size}
@@ -145,8 +145,8 @@ the defaults then
 \return the shapes as a `Planar_shapes_3`
 
 \throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
-`maximum_distance` without few far points: up to one point in twenty that is far from the median on an axis, by a quarter
-of that length, is left out and counted
+`maximum_distance` without few far points: up to one point in twenty that is far from the median on an axis, by a
+quarter of that length, is left out and counted
 \throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails

@@ -93,8 +93,8 @@ double estimate_noise(const PointRange& points, const NamedParameters& np = Name
 the cloud.
 
 It is the `maximum_distance` that `estimate_parameters()` gives for all points, times the ratio of the noise around the
-point to the noise of the cloud, and it is smooth along the surfaces: \ref Tandem_parameters_estimated. Pass the values as
-`maximum_distance_map` if `Distance_estimate::noise_varies` is true. The estimate does not depend on the order of the
+point to the noise of the cloud, and it is smooth along the surfaces: \ref Tandem_parameters_estimated. Pass the values
+as `maximum_distance_map` if `Distance_estimate::noise_varies` is true. The estimate does not depend on the order of the
 points. It is computed on the host, whatever the tag.
 
 \param points a range of points
@@ -118,7 +118,8 @@ std::vector<double> estimate_local_distances(const PointRange& points, const Nam
 \ingroup PkgShapeRegularizationTandemRef
 
 returns the `maximum_distance` for points whose noise is known, in the unit of the noise: a fixed multiple of it, which
-`estimate_parameters()` takes as well and \ref Tandem_parameters_estimated tells. No value is refused: 0 gives 0, NaN gives NaN.
+`estimate_parameters()` takes as well and \ref Tandem_parameters_estimated tells. No value is refused: 0 gives 0, NaN
+gives NaN.
 
 \param noise the standard deviation of the signed distances of points to their plane
 */

@@ -27,8 +27,9 @@ using Checking_tag = typename std::conditional<Is_given<internal_np::communicato
 detection.
 
 Returns `true` only if each point is in at most one shape and within the tolerances of it, shapes are large enough and
-connected, parameters are within their ranges, and relations are exactly those of the planes. Statistics and uncertainties are not measured again. The function cannot
-tell whether the same shapes were detected with other parameters.
+connected, parameters are within their ranges, and relations are exactly those of the planes. Statistics and
+uncertainties are not measured again. The function cannot tell whether the same shapes were detected with other
+parameters.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
 of a detection. Distances and angles are evaluated in double. A point may exceed its tolerance only by the rounding of

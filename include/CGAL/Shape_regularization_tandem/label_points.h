@@ -120,8 +120,8 @@ std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, c
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief labels further points by the planes of a result: for example those of the full cloud, if shapes were detected in a
-part of its points.
+\brief labels further points by the planes of a result: for example those of the full cloud, if shapes were detected in
+a part of its points.
 
 A point gets the shape with the nearest plane among the shapes that can take it. A shape can take a point
 - within `maximum_distance` of its plane, and
@@ -130,9 +130,10 @@ A point gets the shape with the nearest plane among the shapes that can take it.
   end: all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
 
 If several shapes have the nearest plane, the shape with the nearest of `shape_points` gets the point; without
-`shape_points` the shape of the lowest index does. Each point is judged by itself. So the labels keep only one promise of
-`Planar_shapes_3`: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer
-than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
+`shape_points` the shape of the lowest index does. Each point is judged by itself. So the labels keep only one promise
+of `Planar_shapes_3`: points are within the tolerances, up to rounding. The points of a shape need not be connected, and
+may be fewer than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose
+plane is nearer.
 
 The result is the same for every order of the points and for every tag and number of threads. Time is
 linear in the number of points, times that of planes or, with `shape_points`, times that of these within reach.
@@ -169,9 +170,8 @@ linear in the number of points, times that of planes or, with `shape_points`, ti
 detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
 
 \throw Parameter_error a parameter is outside of its range
-\throw std::invalid_argument
-the number of `shape_points` is not that of the detection, or one of a shape is not
-finite or farther from its plane than `maximum_distance`; or all are equal and there is no `reach`
+\throw std::invalid_argument the number of `shape_points` is not that of the detection, or one of a shape is not finite
+or farther from its plane than `maximum_distance`; or all are equal and there is no `reach`
 \throw std::length_error more than 2^31 points
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,

@@ -58,10 +58,10 @@ struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on_ranks<Parallel_host> {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-calls `f()` on all processes of a communicator. Use it for work that may fail on some of them only, such as reading files.
-If `f()` throws on some processes, all processes throw the exception of the first of these. On the others, exceptions of
-the standard library and `Parameter_error` keep their type, and other ones become `std::runtime_error`. `detect_planes()`
-with `Mpi_tag` does the same.
+calls `f()` on all processes of a communicator. Use it for work that may fail on some of them only, such as reading
+files. If `f()` throws on some processes, all processes throw the exception of the first of these. On the others,
+exceptions of the standard library and `Parameter_error` keep their type, and other ones become `std::runtime_error`.
+`detect_planes()` with `Mpi_tag` does the same.
 
 \return what `f` returns
 */

@@ -29,13 +29,13 @@ namespace CGAL::Tandem {
 \brief The areas that the points of planar shapes cover: for each shape, or each distinct plane, polygons with holes.
 `polygons()` makes it.
 
-An *entry* is what one shape or one plane has: any number of polygons. An entry whose points cover less than 20 squares of
-their spacing has none: `number_of_empty_entries()` counts these. The corners of all polygons are in one
-table of points. Each corner is on its plane, as closely as doubles allow, and where two shapes meet, corners on the line
-of their planes are on both; a point that several polygons have is in the table once. Where a common
-corner would make an outline cross itself, it is left out of that one. Polygons of one entry are simple and
-have no common points, holes included: this holds exactly in the frame of the entry. Polygons of two entries may overlap,
-also where both are in one plane: `one_for_each_plane` makes one entry of these.
+An *entry* is what one shape or one plane has: any number of polygons. An entry whose points cover less than 20 squares
+of their spacing has none: `number_of_empty_entries()` counts these. The corners of all polygons are in one table of
+points. Each corner is on its plane, as closely as doubles allow, and where two shapes meet, corners on the line of
+their planes are on both; a point that several polygons have is in the table once. Where a common corner would make an
+outline cross itself, it is left out of that one. Polygons of one entry are simple and have no common points, holes
+included: this holds exactly in the frame of the entry. Polygons of two entries may overlap, also where both are in one
+plane: `one_for_each_plane` makes one entry of these.
 
 \tparam GeomTraits a model of `Kernel`
 */
@@ -124,9 +124,9 @@ public:
   /// returns the polygons of entry `i`, with positions of their corners in `points()`
   const std::vector<Indexed_polygon>& polygons(std::size_t i) const { return table_.polygons[i]; }
 
-  /// returns the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normal of its
-  /// plane points: for each polygon a constrained Delaunay triangulation in the frame, without further vertices. Where
-  /// `Planar_shapes_3::is_flipped()`, the points were seen from the other side.
+  /// returns the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normal of
+  /// its plane points: for each polygon a constrained Delaunay triangulation in the frame, without further vertices.
+  /// Where `Planar_shapes_3::is_flipped()`, the points were seen from the other side.
   std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t i) const
   {
     std::vector<std::array<std::uint32_t, 3>> result;

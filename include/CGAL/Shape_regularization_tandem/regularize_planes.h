@@ -168,8 +168,8 @@ Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& po
 
 Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_planes()`, for planes of efficient RANSAC,
 region growing or any other detector. Unlike that function, this one
-- makes all orthogonal groups exactly orthogonal: for groups that are reported as orthogonal, the dot product of the unit normals is
-  at most 1e-15 in absolute value;
+- makes all orthogonal groups exactly orthogonal: for groups that are reported as orthogonal, the dot product of the
+  unit normals is at most 1e-15 in absolute value;
 - fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
   saves are worth more than it costs. The cost is the growth of the sum of squared distances of the points, divided by
   the square of `maximum_distance`. A degree of freedom is worth `regularity` times the sum of two numbers: the points
@@ -178,12 +178,12 @@ region growing or any other detector. Unlike that function, this one
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that is parallel, orthogonal, coplanar or symmetric to another one in the
-result, or that has a fixed direction, gets a unit normal, even if it had that relation before. Other planes stay as they
-are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
-nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
-`CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
-is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is
-linear in the number of points.
+result, or that has a fixed direction, gets a unit normal, even if it had that relation before. Other planes stay as
+they are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither
+turned nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function
+of `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The
+result is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is linear
+in the number of points.
 
 \tparam PlaneRange a range with random access iterators
 \tparam PointRange a model of `ConstRange` with random access iterators

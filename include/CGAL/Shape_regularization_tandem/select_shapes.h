@@ -116,10 +116,12 @@ inline void keep_largest_shapes(const Shapes_data& data, std::size_t number, std
 Shape i of the result is the shape of the i-th index, so the order is that of the indices. Points of other shapes have
 no shape, and count as `Free_points::unselected`. Planes, and the relations of the shapes that are left, are the same;
 groups are numbered again, and numbers of shapes, relations and points are counted again. So `is_valid_result()` returns
-`true`, and all functions on results can be used. Some measures remain those of the detection: `Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and,
-where shapes are left out, `Statistics::score`.
+`true`, and all functions on results can be used. Some measures remain those of the detection:
+`Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and, where shapes are
+left out, `Statistics::score`.
 
-Include `CGAL/Shape_regularization_tandem_models.h`. With `Mpi_tag`, each process calls it for its own result, with the same indices.
+Include `CGAL/Shape_regularization_tandem_models.h`. With `Mpi_tag`, each process calls it for its own result, with the
+same indices.
 
 \param shapes the result of a detection
 \param indices a range of integers, in any order; an empty range gives a result without shapes

@@ -60,8 +60,8 @@ The result is the same for every number of threads.
     \cgalParamDefault{that of the range: the identity, or the point map of a `CGAL::Point_set_3`}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}
-    \cgalParamDescription{the direction upward. North and east are the axes y and x, after the smallest rotation that takes
-    z to it}
+    \cgalParamDescription{the direction upward. North and east are the axes y and x, after the smallest rotation that
+    takes z to it}
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{the `symmetry_direction` of the detection, which is (0, 0, 1) if it was not given}
   \cgalParamNEnd

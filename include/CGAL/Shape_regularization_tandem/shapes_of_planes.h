@@ -101,10 +101,10 @@ inline void measure_labels(const Import& in, Shapes_data& data)
 
 \brief returns a result with known planes: each plane is a shape, with the points that `label_points()` gives to it.
 
-Shape s is plane s, also where it has no points. Planes stay as they are, except that their normals become unit vectors, and that a plane is turned over if
-its normal is exactly opposite to that of an earlier plane. Planes with exactly the same normal are
-parallel, exactly the same planes are coplanar. Orthogonal groups, `fixed_directions` and symmetry are found, not made.
-Of coplanar shapes, the first one gets all points.
+Shape s is plane s, also where it has no points. Planes stay as they are, except that their normals become unit vectors,
+and that a plane is turned over if its normal is exactly opposite to that of an earlier plane. Planes with exactly the
+same normal are parallel, exactly the same planes are coplanar. Orthogonal groups, `fixed_directions` and symmetry are
+found, not made. Of coplanar shapes, the first one gets all points.
 
 Of the promises of `Planar_shapes_3`, those on relations hold, and points are within the tolerances. Shapes need not be
 connected, and may have less than `minimum_region_size` points, or none, so `is_valid_result()` returns `false`.

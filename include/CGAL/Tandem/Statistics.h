@@ -104,11 +104,11 @@ struct Statistics {
   bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
   bool has_estimated_normals = false; ///< whether normals were estimated, because none were given
   bool is_cancelled = false;          ///< whether the callback ended the detection early
-  /// a sentence on `maximum_distance`, where it was estimated and one value for all points is a compromise: there are steps
-  /// of depth, surfaces close behind others, noise that varies, or surfaces that bend. Otherwise empty
+  /// a sentence on `maximum_distance`, where it was estimated and one value for all points is a compromise: there are
+  /// steps of depth, surfaces close behind others, noise that varies, or surfaces that bend. Otherwise empty
   std::string estimate_note;
-  /// which of `maximum_angle` and `angle_tolerance`, which are in degrees, is also the cosine of an allowed angle, and so
-  /// may have been meant as one, and what to pass then. Otherwise empty
+  /// which of `maximum_angle` and `angle_tolerance`, which are in degrees, is also the cosine of an allowed angle, and
+  /// so may have been meant as one, and what to pass then. Otherwise empty
   std::string angle_note;
   std::string backend; ///< the name of the back end that executed: "sequential", "parallel", ...
 
@@ -123,9 +123,9 @@ struct Statistics {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-How well the points of a shape determine its plane: standard deviations and covariances to first order, for errors of the
-points that are independent and alike. The plane is that through its `centroid` and normal; the error of its offset there
-and that of its normal are not correlated. The manual has the formulas, and what they leave out:
+How well the points of a shape determine its plane: standard deviations and covariances to first order, for errors of
+the points that are independent and alike. The plane is that through its `centroid` and normal; the error of its offset
+there and that of its normal are not correlated. The manual has the formulas, and what they leave out:
 \ref Tandem_method_uncertainty.
 */
 struct Plane_uncertainty {

@@ -21,8 +21,8 @@ namespace CGAL::Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief A polygon with holes in a plane, whose corners are positions in a table of points. The order of corners is
-that seen from the side to which the normal of `Planar_shapes_3::plane()` points, whatever the normals of the points are.
+\brief A polygon with holes in a plane, whose corners are positions in a table of points. The order of corners is that
+seen from the side to which the normal of `Planar_shapes_3::plane()` points, whatever the normals of the points are.
 */
 struct Indexed_polygon {
   /// the corners of a closed line, the first one once

@@ -14,16 +14,16 @@ namespace CGAL::Tandem {
 
 \brief What is known of a shape beside its plane, as a row of a table. `shape_facts()` makes it.
 
-Lengths are in the units of the points, areas in their squares, angles in degrees. Of a shape without points, all but the
-angles of its plane is 0.
+Lengths are in the units of the points, areas in their squares, angles in degrees. Of a shape without points, all but
+the angles of its plane is 0.
 */
 struct Shape_facts {
   /// the number of points
   std::size_t number_of_points = 0;
   /// the mean of the points
   std::array<double, 3> centroid = {0, 0, 0};
-  /// what the points cover: the area of the outline that `polygons()` finds for the shape. It is 0 for a shape of so few
-  /// points that it has none.
+  /// what the points cover: the area of the outline that `polygons()` finds for the shape. It is 0 for a shape of so
+  /// few points that it has none.
   double area = 0;
   /// the longer side of the smallest rectangle in the plane that holds all points: that of smallest area
   double length = 0;
@@ -33,16 +33,16 @@ struct Shape_facts {
   double lowest = 0;
   /// the height of the highest point
   double highest = 0;
-  /// the angle between the upward direction and the normal of `Planar_shapes_3::oriented_plane()`, from 0 to 180: 0 for a
-  /// floor, 90 for a wall, 180 for a ceiling, where normals point to the outward side. Where they are estimated, planes
-  /// have no such side, and `tilt_deg` may as well be 180 minus that.
+  /// the angle between the upward direction and the normal of `Planar_shapes_3::oriented_plane()`, from 0 to 180: 0 for
+  /// a floor, 90 for a wall, 180 for a ceiling, where normals point to the outward side. Where they are estimated,
+  /// planes have no such side, and `tilt_deg` may as well be 180 minus that.
   double tilt_deg = 0;
   /// the angle between the plane and the level, from 0 to 90, whatever its side
   double dip_deg = 0;
-  /// the direction in which the plane falls most steeply: clockwise from north, as seen from above, from 0 to below 360.
-  /// North is the axis y, and east the axis x, where z is upward. It is 0 for a level plane. A vertical one has the
-  /// direction to which the normal of `Planar_shapes_3::oriented_plane()` points; so has any plane whose `tilt_deg` is at
-  /// most 90, and the others have the opposite one.
+  /// the direction in which the plane falls most steeply: clockwise from north, as seen from above, from 0 to below
+  /// 360. North is the axis y, and east the axis x, where z is upward. It is 0 for a level plane. A vertical one has
+  /// the direction to which the normal of `Planar_shapes_3::oriented_plane()` points; so has any plane whose `tilt_deg`
+  /// is at most 90, and the others have the opposite one.
   double azimuth_deg = 0;
   /// the root mean square of the distances of the points to the plane
   double rms_distance = 0;
