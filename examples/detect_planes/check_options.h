@@ -361,9 +361,8 @@ inline void check_ranks(const Options& o)
   needs_all(o.minimum_extent.has_value(), "minimum-extent");
   for(const Output_option& option : output_options())
     needs_all(option.needs_all_points && !(o.*option.path).empty(), option.name);
-  refuse_if(
-    o.backend == "cuda" && !has_mpi_cuda,
-    "--backend is 'cuda', but there are several processes: this needs a program built with Tandem::tandem_mpi_cuda");
+  refuse_if(o.backend == "cuda" && !has_mpi_cuda,
+            "--backend is 'cuda', but in several processes this needs a program built with Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

@@ -320,9 +320,8 @@ inline void add_table(Class& result)
 {
   result.def(
     "table", &table,
-    "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row for each shape, as in the table of the "
-    "program\n"
-    "detect_planes --shapes. Integers are int64, other numbers float64; lengths are in units of the points.\n\n"
+    "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row for each shape, as detect_planes --shapes\n"
+    "writes it. Integers are int64, other numbers float64; lengths are in units of the points.\n\n"
     "shape, points            the shape, and the number of its points\n"
     "a, b, c, d               its plane\n"
     "x, y, z                  the mean of its points\n"
@@ -330,9 +329,8 @@ inline void add_table(Class& result)
     "length, width            the sides of the smallest rectangle around its points in the plane, the longer side "
     "first\n"
     "lowest, highest          smallest and largest height of its points. Upward is z, or symmetry_direction\n"
-    "tilt_deg                 angle between upward and the normal, in [0, 180]; with given normals, the normal of the "
-    "side\n"
-    "                         that is_flipped tells\n"
+    "tilt_deg                 angle between upward and the normal, in [0, 180]; with given normals, the normal of\n"
+    "                         the side that is_flipped tells\n"
     "dip_deg                  angle between the plane and the horizontal, in [0, 90]\n"
     "azimuth_deg              direction in which the plane falls, clockwise from y, in [0, 360); 0 for a level plane\n"
     "rms_distance, mean_distance\n"

@@ -91,8 +91,7 @@ def detect_planes(
         normals              (n, 3) numbers, of any length and orientation; the function copies them. None: estimated
         maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None: the
                              value that nearly all numbers of maximum_distance_map do not exceed, or, without that map,
-                             the estimate of estimate_parameters(). Larger values than the largest of the map do not
-                             change the result
+                             the estimate of estimate_parameters(). The largest number of the map bounds this value
         maximum_distance_map (n,) numbers: the largest distance of each point, at most maximum_distance; the function
                              copies them. Points without a positive number have no shape, and the statistics count them.
                              None: maximum_distance for all points. estimate_local_distances() estimates such a map
@@ -114,8 +113,7 @@ def detect_planes(
                              whether this relation becomes exact
         fixed_directions     (d, 3) numbers: directions known beforehand, such as the vertical, of any length. Shapes
                              within angle_tolerance become exactly parallel or orthogonal to them if their points allow
-                             it. Directions that are opposite, or less than 1e-9 radians apart, count as one. None: no
-                             directions
+                             it. Directions that are opposite, or less than 1e-9 radians apart, count as one
         symmetry_direction   three numbers: another fixed direction. Shapes that make nearly the same angle with it, such
                              as the two sides of a roof, then make exactly the same angle. None: no direction
         ignore_zeros         whether to ignore points exactly at 0 0 0, such as invalid pixels of depth cameras: they
@@ -131,13 +129,10 @@ def detect_planes(
 
     Returns PlanarShapes.
 
-    Raises
-        ParameterError  a value is outside of its range. A ValueError with the texts name, value and range
-        ValueError      an array has a wrong shape or type, there are too many points, or the extent of the points is
-                        more than 2^24 times maximum_distance. The message names the argument
-        TypeError       an argument is not a number
-        MemoryError     there is not enough memory
-        RuntimeError    the back end cannot be used here
+    Raises ParameterError, a ValueError with the texts name, value and range, for a value outside of its range; ValueError,
+    which names the argument, for an array of wrong shape or type, too many points, or an extent of the points of more than
+    2^24 times maximum_distance; TypeError for an argument that is no number; MemoryError; RuntimeError for a back end that
+    cannot be used here.
     """
     rows, zeros = _points(points, ignore_zeros)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), zeros)
