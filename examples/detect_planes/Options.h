@@ -129,7 +129,7 @@ private:
     if(!rest.empty() && !is_at("+-"))
       fail_where("+ or -");
     if(power >= noise.c.size())
-      fail("has r^" + std::to_string(power) + ", and the largest power is r^2");
+      fail("has r^" + std::to_string(power) + ", but the largest power is r^2");
     noise.c[power] += value;
   }
 
@@ -153,7 +153,7 @@ private:
     if(skip("\u00b2"))
       return 2;
     if((skip("^") || skip("**")) && (!read(power) || power > 100))
-      fail("has no power behind r^");
+      fail("has no power after r^");
     return power;
   }
 

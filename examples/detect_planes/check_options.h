@@ -221,7 +221,7 @@ inline void check_directory(const Options& o)
     const std::string output = output_of_input(o.output_directory, input);
     for(const std::filesystem::path& path : {std::filesystem::absolute(input), unique_name(input)})
       refuse_if(is_same_folder(o.output_directory, path.parent_path()), "--output-directory is the folder of ", input,
-                "; take another folder");
+                "; name another folder");
     const auto [place, is_new] = input_of.emplace(output, input);
     refuse_if(!is_new && unique_name(place->second) != unique_name(input), "--output-directory: ", place->second,
               " and ", input, " would both become ", output);
@@ -269,14 +269,14 @@ inline void check_label_property(const std::string& name)
                        "scandirectionflag", "synthetic", "withheld",    "edgeofflightline",
                        "scannerchannel",    "overlap",   "pointformat", "nearinfrared"};
   refuse_if(column_of_name(name) != Column::none || is_in(plain_name(name), others), "--label-property is '", name,
-            "', which is the name of something else in clouds");
+            "', a name that clouds use for other data");
 }
 
 // A point has one tolerance.
 inline void check_tolerances(const Options& o)
 {
   const bool has_column = !o.tolerance_column.empty();
-  const char* both = " both give the tolerance of each point; take one of them";
+  const char* both = " both give the tolerance of each point; pass only one of them";
   refuse_if(has_column && o.noise, "--tolerance-column and --noise", both);
   refuse_if(o.has_local_distances && (has_column || o.noise), "--maximum-distance auto-local and ",
             has_column ? "--tolerance-column" : "--noise", both);
@@ -284,7 +284,7 @@ inline void check_tolerances(const Options& o)
     return is_in(input_format(path, o.format.empty() ? "" : "." + o.format), {".pcd", ".ptx"});
   };
   refuse_if(o.noise && !o.viewpoint && std::none_of(o.inputs.begin(), o.inputs.end(), may_have_viewpoint),
-            "--noise needs the place of the sensor: --viewpoint X,Y,Z (0,0,0 if it is the origin)");
+            "--noise needs the place of the sensor: pass --viewpoint X,Y,Z (0,0,0 if it is the origin)");
 }
 
 inline void check_formats(const Options& o, const Built_with& built)
@@ -329,9 +329,9 @@ inline void check(const Options& o, const Built_with& built)
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
   check_count("largest", o.largest, 1, 1LL << 31);
   refuse_if(!detects && has_library_normals,
-            "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
+            "--planes-from with --estimate-normals needs a number K of neighbors: --estimate-normals K");
   refuse_if(!detects && o.backend == "cuda",
-            "--backend is 'cuda', but --planes-from detects nothing: leave one of them out");
+            "--backend is 'cuda', but --planes-from detects nothing: pass only one of them");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);
@@ -352,7 +352,7 @@ inline void check_ranks(const Options& o)
   const auto needs_all = [](bool is_given, const char* name, const char* advice = ": run it without mpirun") {
     refuse_if(is_given, "--", name, " needs all points in one process", advice);
   };
-  needs_all(!o.output.empty(), "output", ": several write them with --output-directory");
+  needs_all(!o.output.empty(), "output", ": with several, use --output-directory");
   needs_all(o.is_by_plane, "by-plane");
   needs_all(o.estimate_normals.value_or(by_library) != by_library, "estimate-normals with a number", "");
   needs_all(!o.planes_from.empty(), "planes-from");
@@ -361,7 +361,7 @@ inline void check_ranks(const Options& o)
   for(const Output_option& option : output_options())
     needs_all(option.needs_all_points && !(o.*option.path).empty(), option.name);
   refuse_if(o.backend == "cuda" && !has_mpi_cuda,
-            "--backend is 'cuda', which is for one process: this program was built without Tandem::tandem_mpi_cuda");
+            "--backend is 'cuda', but in several processes this needs a program built with Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

@@ -49,7 +49,7 @@ inline void select(const Point_set& points, const Options& o, Run& run, Shapes& 
   shapes = selected_shapes(shapes, points, o);
   if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
     warnings.push_back(
-      sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have none"));
+      sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have no shapes"));
 }
 
 // --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
@@ -64,8 +64,8 @@ public:
   {
     processes.together([&] {
       if(are_given && o.viewpoint && !o.noise)
-        throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (with "
-                                 "--estimate-normals they are estimated)");
+        throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (--estimate-normals "
+                                 "estimates them anew)");
     });
     for(const Input_part& part : cloud.parts)
       if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
@@ -78,8 +78,8 @@ public:
   // What there is to say of --oriented, or nothing.
   const char* warning() const
   {
-    return options.is_oriented && !are_given && !is_seen ? "--oriented: no normals are given, and no viewpoint is "
-                                                           "known: planes have no outward side (--viewpoint gives one)"
+    return options.is_oriented && !are_given && !is_seen ? "--oriented: planes have no outward side, because the input "
+                                                           "has neither normals nor a viewpoint (pass --viewpoint)"
                                                          : "";
   }
 

@@ -73,9 +73,9 @@ inline void prepare_tolerances(const Options& o, Input_cloud& cloud)
     const std::optional<Kernel::Point_3> sensor = viewpoint_of(o, part, false);
     if(!sensor)
       throw_error(o.inputs[part.input],
-                  (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which files have that know none"
-                                        : ": has no place of the sensor"),
-                  ": --noise needs it by --viewpoint X,Y,Z (0,0,0 if it is the origin)");
+                  (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which stands for an unknown place"
+                                        : ": does not tell the place of the sensor"),
+                  "; --noise needs that place: pass --viewpoint X,Y,Z (0,0,0 if it is the origin)");
     for(Point_set::Index i : part_of(cloud.points, part.first, part.last)) {
       const Kernel::Vector_3 v = cloud.points.point(i) - *sensor;
       const double range = std::sqrt(std::fma(v.x(), v.x(), std::fma(v.y(), v.y(), v.z() * v.z()))); // on all compilers
@@ -253,7 +253,7 @@ inline void check_program(const Options& o, const Processes& processes)
             o.backend == "cuda" ? "CUDA" : "oneTBB", ": this program was built without it");
   if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
     throw_error("the back end cuda cannot be used: ", CGAL::Tandem::cuda_device_report(),
-                " (--backend auto takes what there is)");
+                " (--backend auto uses a back end that is available)");
   refuse_if(output_extension(o.output) == ".laz" && !has_laszip, o.output,
             ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
   refuse_if(!o.view.empty() && !has_view,
@@ -368,7 +368,7 @@ inline void choose_tolerances(const Point_set& points, const Processes& processe
   if(estimate.noise_varies) {
     o.has_local_distances = true;
     o.estimated_distance = 0; // the tolerances bound it
-    o.estimate_note += " Each point has a tolerance of its own; --maximum-distance D gives all points the same one.";
+    o.estimate_note += " Each point has its own tolerance; --maximum-distance D sets one for all points.";
   }
 }
 

@@ -48,31 +48,30 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
 {
   po::options_description group("Input");
   add(group, "format", text_option(o.format, "NAME"),
-      "read all inputs as this format, whatever their names: ply, las, pcd, off, ptx, xyz or another of a text table");
+      "the format of all inputs, whatever their names: ply, las, pcd, off, ptx, xyz or that of another text table");
   add(group, "columns", text_option(o.columns, "NAMES"),
-      "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
-      "(default: from a line of names, or from the values; the output says which)");
-  add(
-    group, "decimal-comma", po::bool_switch(&o.has_decimal_commas),
-    "numbers of text tables have a comma in place of the point, as in 1,5;2,5;3,5: semicolons or blanks separate them");
-  add(group, "classes", text_option(o.classes, "LIST"), "only the points of these classes, as 2,6 (of ",
+      "the columns of text tables: any of x y z nx ny nz r g b intensity classification, and _ for a column to skip "
+      "(default: from a line of names, or guessed from the values; the program prints them)");
+  add(group, "decimal-comma", po::bool_switch(&o.has_decimal_commas),
+      "numbers of text tables have a decimal comma, as in 1,5;2,5;3,5; semicolons or blanks separate the numbers");
+  add(group, "classes", text_option(o.classes, "LIST"), "use only the points of these classes, such as 2,6 (of ",
       built.laszip ? ".las and .laz" : ".las",
-      ", or of a property or column 'classification'); the others are in no output");
+      ", or of a property or column 'classification'); other points are in no output");
   add(group, "crop", text_option(o.crop, "BOX"),
-      "only the points in the box XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX, where -inf and inf leave a side open; the others are "
-      "in no output");
+      "use only the points in the box XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX, where -inf and inf leave a side open; other "
+      "points are in no output");
   add(group, "sample", number_option(o.sample, "N"),
-      "the points are N on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the "
-      "normals of the faces; 0: the corners of the faces. Without it a file with faces is refused");
+      "put N points on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the normals "
+      "of the faces; 0: take the corners of the faces. Without this option, the program refuses a file with faces");
   add(
     group, "viewpoint",
     parsed_option("X,Y,Z",
                   [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
-    "the place from which all points were seen: estimated normals and outward sides of planes are those towards it; "
-    "for --noise that of the sensor. An error for an input with normals, unless --estimate-normals or --noise is given "
+    "the place from which all points were seen, and of the sensor for --noise: estimated normals and outward sides of "
+    "planes are towards it. The program refuses an input with normals, unless you pass --estimate-normals or --noise "
     "(default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, and the place in .ptx of one scan)");
   add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
-      "points exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape and no influence");
+      "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras: they get no shape");
   all.add(group);
 }
 
@@ -80,49 +79,49 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
 
 inline void add_tolerance_options(po::options_description& group, Options& o)
 {
-  add(group, "maximum-distance",
-      parsed_option("D",
-                    [&o](const std::string& text) {
-                      o.has_local_distances = text == "auto-local";
-                      o.maximum_distance = parse_number(text);
-                      refuse_if(!o.maximum_distance && !is_in(text, {"auto", "auto-local"}), "--maximum-distance is '",
-                                text, "', must be auto, auto-local or a number, with a decimal point if any");
-                    }),
-      "largest distance of a point to the plane of its shape, of all points whatever their own tolerance; or auto: "
-      "estimated from the points, one for each point where the noise varies for certain, but with --tolerance-column "
-      "or --noise the value that nearly all tolerances do not exceed; or auto-local: estimated for each point, from "
-      "the noise around it (default: auto)");
   add(
-    group, "tolerance-column", text_option(o.tolerance_column, "NAME"),
-    "the largest distance of each point to the plane of its shape is this property of .ply, field of .pcd, column of a "
-    "text table or extra dimension of .las. Points where it is not positive have no shape");
+    group, "maximum-distance",
+    parsed_option("D",
+                  [&o](const std::string& text) {
+                    o.has_local_distances = text == "auto-local";
+                    o.maximum_distance = parse_number(text);
+                    refuse_if(!o.maximum_distance && !is_in(text, {"auto", "auto-local"}), "--maximum-distance is '",
+                              text, "', must be auto, auto-local or a number; write decimals with a decimal point");
+                  }),
+    "largest distance of a point to the plane of its shape, also if its own tolerance is larger; auto: estimated, and "
+    "for each point if the noise varies for certain, but with --tolerance-column or --noise the value that nearly "
+    "all tolerances do not exceed; auto-local: estimated for each point, from the noise around the point (default: "
+    "auto)");
+  add(group, "tolerance-column", text_option(o.tolerance_column, "NAME"),
+      "take the largest distance of each point to the plane of its shape from this property of .ply, field of .pcd, "
+      "column of a text table or extra dimension of .las. Points without a positive value get no shape");
   add(group, "noise",
       parsed_option("SUM",
                     [&o](const std::string& text) {
                       o.noise_text = text;
                       o.noise = Noise_parser(text).parse();
                     }),
-      "the standard deviation of the noise along the ray, at the range r, the distance to the sensor, as in "
+      "the standard deviation of the noise along the ray, at the distance r from the sensor, as in "
       "\"0.001 + 0.0028*r^2\": the tolerance of each point is ",
       std::setprecision(3), CGAL::Tandem::distance_of_noise(1),
-      " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0, or "
-      "of a .ptx file of one scan");
+      " times that. The sensor is at --viewpoint, or at the VIEWPOINT of a .pcd file, unless that is 0 0 0 1 0 0 0, or "
+      "at the place in a .ptx file of one scan");
 }
 
 // --- The options of the command line that say which of the shapes the outputs have.
 
 inline void add_selection_options(po::options_description& all, Options& o)
 {
-  po::options_description group("Selection (all outputs have only the shapes that fit all of these)");
+  po::options_description group("Selection (outputs have only the shapes that fit all these options)");
   add(group, "largest", number_option(o.largest, "N"), "the N shapes with most points, of those that fit the others");
   add(group, "minimum-area", number_option(o.minimum_area, "A"),
-      "shapes whose points cover at least this area, in squares of the unit of the input");
+      "shapes whose points cover at least this area, in squared units of the input");
   add(group, "minimum-extent", number_option(o.minimum_extent, "L"),
-      "shapes that are at least so long: the longer side of a rectangle around the points");
+      "shapes of at least this length: the longer side of the smallest rectangle around the points");
   add(group, "near-direction",
       parsed_option("DIRECTION", [&o](const std::string& text) { o.near_direction = parse_near_direction(text); }),
-      "shapes with a normal within 10 degrees of X,Y,Z, of either sign; 'vertical' are walls, and 'horizontal' floors "
-      "and ceilings, by the symmetry direction, or else z, as upward. An angle may follow, as in vertical,5");
+      "shapes with a normal within 10 degrees of X,Y,Z or its opposite; 'vertical': walls; 'horizontal': floors and "
+      "ceilings, where upward is --symmetry-direction, or z. Another angle may follow, as in vertical,5");
   all.add(group);
 }
 
@@ -132,55 +131,54 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
 {
   add(
     group, "output,o", text_option(o.output, "FILE"),
-    "the cloud with the shape of each point (-1: none), the normals that were used, its intensity, classification and "
+    "the cloud with the shape of each point (-1: none), the normals that were used, intensity, classification and "
     "tolerance: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), ",
     built.laszip ? ".las or .laz" : ".las",
-    " (the shape as extra bytes, without normals and tolerances; coordinates on the grid of the first .las input, if "
-    "all points fit it, else of steps of at most 2e-4 of the maximum distance; only finite points)");
-  add(
-    group, "output-directory", text_option(o.output_directory, "DIR"),
-    "a file as --output for each INPUT, of its name and format, in this folder, which is made if it is not there, and "
-    "cannot be that of an INPUT; .ply in place of what --output does not write",
-    built.gzip ? ", without .gz" : "");
+    " (the shape as extra bytes, without normals and tolerances; only finite points; coordinates keep the grid of the "
+    "first .las input if all points fit it, otherwise steps are at most 2e-4 of the maximum distance)");
+  add(group, "output-directory", text_option(o.output_directory, "DIR"),
+      "a file like that of --output for each INPUT, with its name and format, in this folder; the program makes the "
+      "folder if it is missing. No INPUT may be in it. Formats that --output does not write become .ply",
+      built.gzip ? ", without .gz" : "");
   add(group, "colors", text_option(o.colors, "NAME"),
-      "the colors of --output and --output-directory: shape, one for each, or input (default: input for ",
-      built.laszip ? ".las and .laz" : ".las", ", else shape)");
+      "the colors of --output and --output-directory: shape, a color for each, or input (default: input for ",
+      built.laszip ? ".las and .laz" : ".las", ", otherwise shape)");
   add(group, "label-property", text_option(o.label_property, "NAME"),
-      "the name of the shape in --output and --output-directory: letters, digits and _, as in scalar_shape (default: "
+      "the name of the property that has the shape in --output and --output-directory: letters, digits and _ (default: "
       "shape)");
 }
 
 inline void add_result_options(po::options_description& group, Options& o, const Built_with& built)
 {
   add(group, "labels", text_option(o.labels, "FILE"),
-      "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
+      "the shape of each point of the input, as a little-endian int32; -1: none");
   add(group, "planes", text_option(o.planes, "FILE"),
-      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, with a unit normal; the first line is shape 0");
   add(group, "shapes", text_option(o.shapes, "FILE"),
       "a table .csv with a line for each shape: points, plane, centroid, area, length and width, lowest and highest "
       "point, "
-      "tilt, dip and azimuth, distances, by how much regularization moved the plane, its uncertainty, parallel and "
+      "tilt, dip and azimuth, distances, by how much regularization moved the plane, uncertainty, parallel and "
       "coplanar group. Upward is z, or --symmetry-direction");
   add(group, "by-plane", po::bool_switch(&o.is_by_plane),
-      "coplanar shapes are one shape in all outputs, so that there is one for each plane");
+      "join coplanar shapes: all outputs have one shape for each plane");
   add(
     group, "oriented", po::bool_switch(&o.is_oriented), "the normals of the planes of --planes, --shapes",
     built.view ? ", --view" : "",
-    " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
-    "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes");
+    " and --polygons (.geojson, .json) point to the outward side: the side of most normals of the points, if the input "
+    "has normals, otherwise the side of --viewpoint. Without this option, all parallel shapes have the same normal");
   add(group, "vg", text_option(o.vg, "FILE"),
       "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
   add(
     group, "polygons", text_option(o.polygons, "FILE"),
-    "the area of each shape as polygons on its plane, straight where it ends at the plane of another one: .geojson or "
+    "the area of each shape as polygons on its plane, straight where it meets the plane of another shape: .geojson or "
     ".json (a MultiPolygon for each shape, with holes), .ply, .obj or .off (a face for each polygon, triangles for "
-    "one with holes). Shapes share the vertices where they meet. A shape of very few points has no polygon");
+    "polygons with holes). Shapes that meet share vertices. A shape of very few points has no polygon");
   add(group, "crs", text_option(o.crs, "NAME"),
       "the coordinate reference system that --polygons (.geojson, .json) names, such as urn:ogc:def:crs:EPSG::25833");
   add(group, "triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add(
     group, "report", text_option(o.report, "FILE"),
-    "JSON of what was done and found: warnings, parameters, counts, quality, times, memory, and parallel, coplanar and "
+    "the figures of the run as JSON: warnings, parameters, counts, quality, times, memory, and parallel, coplanar and "
     "orthogonal groups of shapes, counted from 0");
 }
 
@@ -191,14 +189,13 @@ inline void add_output_options(po::options_description& visible, po::options_des
   po::options_description group("Output (files appear only when they are complete)");
   add_cloud_options(group, o, built);
   add_result_options(group, o, built);
-  add(
-    built.view ? group : hidden, "view", text_option(o.view, "FILE"),
-    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
+  add(built.view ? group : hidden, "view", text_option(o.view, "FILE"),
+      "a page .html or .htm that shows the result in a browser, without a network; it shows at most 3 million points");
   add(group, "mesh", text_option(o.mesh, "FILE"),
-      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
-      "other files are complete");
+      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. The program makes the "
+      "surface after all other files");
   add(group, "mesh-planes", number_option(o.mesh_planes, "N"),
-      "--mesh takes the N planes with most points: ", mesh_planes_by_default, " by default, and up to ",
+      "--mesh uses the N planes with most points: ", mesh_planes_by_default, " by default, and up to ",
       most_mesh_planes);
   visible.add(group);
   hidden.add_options()("vg-by-plane",
@@ -209,11 +206,12 @@ inline void add_output_options(po::options_description& visible, po::options_des
 
 inline std::string usage(const Built_with& built)
 {
-  return text_of("usage: detect_planes INPUT... [options]\n\n"
-                 "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
-                 "INPUT is a file .ply, .las, ",
-                 built.laszip ? ".laz, " : "", ".pcd, .off, .ptx\nor a text table (", table_names(), ")",
-                 built.gzip ? ", also with .gz" : "", built.gzip && built.laszip ? " (but .laz)" : "", ".\n");
+  return text_of(
+    "usage: detect_planes INPUT... [options]\n\n"
+    "Finds the planes of a point cloud. Nearly parallel, orthogonal or coplanar planes become exactly so.\n"
+    "INPUT is a file .ply, .las, ",
+    built.laszip ? ".laz, " : "", ".pcd, .off, .ptx\nor a text table (", table_names(), ")",
+    built.gzip ? ", also with .gz" : "", built.gzip && built.laszip ? " (not .laz)" : "", ".\n");
 }
 
 // By topic.
@@ -221,12 +219,12 @@ inline std::string long_help(const Built_with& built, const po::options_descript
 {
   return text_of(
     usage(built),
-    "Several are one cloud, in their order. Normals are estimated where the input has none, or only null ones.\n"
-    "Exit code: 0 success, 1 the data cannot be read, processed or written, or the run was interrupted, 2 bad usage.\n"
-    "A second Ctrl-C ends it at once.\n",
+    "Several inputs are one cloud, in their order. The program estimates normals if the input has none, or only null\n"
+    "vectors. Exit code: 0: success; 1: the data cannot be read, processed or written, or the run was interrupted;\n"
+    "2: bad usage. A second Ctrl-C ends the run at once.\n",
     built.mpi
       ? "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
-        "machines; the result is that of one process.\n"
+        "machines; the result is the same as that of one process.\n"
       : "",
     options);
 }
@@ -268,10 +266,10 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add(group, "simplicity", number_option(o.simplicity, "MU"),
       "from 0 for details to 1 for few and large planes: what the size of a shape is worth (default: 0.04)");
   add(group, "regularity", number_option(o.regularity, "R"),
-      "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
-      "as many relations as possible (default: 0.1)");
+      "from 0 for planes that follow their points to 10 for as many relations as possible: what a degree of freedom is "
+      "worth (default: 0.1)");
   add(group, "surfel-size", number_option(o.surfel_size, "R"),
-      "edge of the cells whose points are taken as one while shapes grow, as a share of the maximum distance, from 0, "
+      "edge of the cubes whose points are taken as one while shapes grow, divided by the maximum distance: from 0, for "
       "each point by itself, to 0.55 (default: 0.55)");
   add(group, "k-neighbors", number_option(o.k_neighbors, "K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
@@ -286,20 +284,20 @@ inline void add_detection_options(po::options_description& all, Options& o)
           o.fixed_directions.push_back(parse_three("fixed-direction", text, Three::direction));
       }),
       "a direction known beforehand, such as the vertical 0,0,1: shapes within the angle tolerance become exactly "
-      "parallel or orthogonal to it if their points allow it; may be given several times");
+      "parallel or orthogonal to it if their points allow this; you may pass this option several times");
   add(group, "symmetry-direction",
       parsed_option("X,Y,Z",
                     [&o](const std::string& text) {
                       o.symmetry_direction = parse_three("symmetry-direction", text, Three::direction);
                     }),
-      "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the "
-      "same; for --mesh it is the direction upward");
+      "like a fixed direction; also, shapes that make nearly the same angle with it, such as the sides of a roof, then "
+      "make exactly the same angle; for --mesh it is the upward direction");
   add(group, "planes-from", text_option(o.planes_from, "FILE"),
-      "the planes of FILE, which --planes has written or a table with columns a, b, c and d, instead of a detection. "
+      "detect nothing, but use the planes of FILE: a file of --planes, or a table with columns a, b, c and d. "
       "Each "
-      "point gets the nearest plane within the tolerances. Planes have no end; their points need not be connected");
+      "point gets the nearest plane within the tolerances. Planes are unbounded; their points need not be connected");
   add(group, "estimate-normals", number_option(o.estimate_normals, "[K]"),
-      "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
+      "estimate the normals even if the input has some; with K: by plain PCA of K neighbors, for comparisons");
   all.add(group);
 }
 
@@ -309,8 +307,8 @@ inline void add_execution_options(po::options_description& all, Options& o, cons
   add(group, "backend", text_option(o.backend, "NAME"), boost::join(built.backends(), ", "),
       "; all give the same result (default: auto)");
   add(group, "threads", number_option(o.threads, "N"),
-      built.mpi ? "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine "
-                  "are shared by the processes on it)"
+      built.mpi ? "largest number of threads of each process, up to 4096 (default: all processors; processes on one "
+                  "machine share them)"
                 : "largest number of threads, up to 4096 (default: all processors)");
   add(group, "quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
   add(group, "help,h", po::bool_switch(&o.wants_help), "print the most used options; --help all: this text");
@@ -344,7 +342,7 @@ struct Command_line {
 inline std::string advice_on(const po::error& e, const po::options_description& options)
 {
   if(dynamic_cast<const po::validation_error*>(&e) != nullptr)
-    return ": must be a number, with a decimal point if any";
+    return ": must be a number; write decimals with a decimal point";
   const auto* unknown = dynamic_cast<const po::unknown_option*>(&e);
   if(unknown == nullptr)
     return {};

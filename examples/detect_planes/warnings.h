@@ -173,7 +173,7 @@ inline bool are_zeros_strange(const Cloud_box& box)
 
 inline std::string advice_on_zeros(const Cloud_box& box)
 {
-  return sentence(box.zeros, " points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros leaves them out");
+  return sentence(box.zeros, " points are exactly at 0 0 0, like invalid pixels: --ignore-zeros leaves them out");
 }
 
 inline bool look_like_degrees(const Cloud_box& box)
@@ -239,7 +239,7 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
     return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,
                     " points has a positive tolerance (--tolerance-column, --noise)");
   if(points < p.minimum_region_size)
-    return sentence("no shape was found: the number of points is ", points, ", and a shape has at least ",
+    return sentence("no shape was found: the number of points is ", points, ", but a shape has at least ",
                     p.minimum_region_size, " (--minimum-region-size)");
   return sentence("no shape was found: no ", p.minimum_region_size,
                   " connected points (--minimum-region-size), other than on a line or in one place, are within ",
@@ -282,8 +282,8 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
   if(!o.known_planes.empty() && (is_poor || s.number_of_assigned_points == 0))
     warnings.push_back(sentence("only ", 100 * s.coverage, " % of the points are within the tolerances of a plane of ",
                                 o.planes_from,
-                                ": a larger --maximum-distance or --maximum-angle takes more, or the "
-                                "planes are those of other points"));
+                                ": a larger --maximum-distance or --maximum-angle adds more points, or the planes "
+                                "belong to another cloud"));
   else if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
   else if(is_poor && s.number_of_rounds > 0)

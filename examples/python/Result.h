@@ -228,23 +228,24 @@ inline void add_arrays(Class& result)
                            "(m,) int32: the coplanar group of each shape, from 0. Shapes of a group have one plane.")
     .def_property_readonly(
       "orthogonal_pairs", getter<std::int32_t>(&Shapes::Data::orthogonal_groups, 2),
-      "(p, 2) int32: pairs of parallel groups that are orthogonal, the smaller one first, sorted.\n"
+      "(p, 2) int32: pairs of parallel groups that are orthogonal, the smaller number first, sorted.\n"
       "Their unit normals have a dot product of at most 1e-15.")
     .def_property_readonly("fixed_directions", getter<std::int32_t>(&Shapes::Data::fixed_direction),
-                           "(g,) int32: which of the fixed_directions that were given each parallel group has, -1 if\n"
-                           "none.")
-    .def_property_readonly("symmetry_groups", getter<std::int32_t>(&Shapes::Data::symmetry_group),
-                           "(g,) int32: the symmetry group of each parallel group. Those of one make the same angle\n"
-                           "with symmetry_direction, up to 1e-15 of its cosine. -1 without that direction.")
+                           "(g,) int32: the index in fixed_directions of the direction of each parallel group, -1 if\n"
+                           "it has none of these directions.")
+    .def_property_readonly(
+      "symmetry_groups", getter<std::int32_t>(&Shapes::Data::symmetry_group),
+      "(g,) int32: the symmetry group of each parallel group. All groups with one number make the\n"
+      "same angle with symmetry_direction, up to 1e-15 of its cosine. -1 without that direction.")
     .def_property_readonly("is_flipped", getter<bool>(&Shapes::Data::is_flipped),
-                           "(m,) bool: whether most of the given normals of the points of a shape are opposite to its\n"
-                           "plane: multiply such planes by -1 to orient them. False where normals were estimated.")
+                           "(m,) bool: whether most given normals of the points of a shape are opposite to the normal\n"
+                           "of its plane: multiply such planes by -1 to orient them. False for estimated normals.")
     .def_property_readonly("normals", &normals,
-                           "(n, 3) float64: the normals that were used: a copy of those that were given, or\n"
-                           "estimated unit normals, null for points that have none.")
+                           "(n, 3) float64: the normals that the detection used: a copy of the given normals, or\n"
+                           "estimated unit normals. The vector is null for points without a normal.")
     .def("points_of", &points_of, py::arg("shape"),
          "The points of a shape, as an array of indices (uint32, ascending):\n"
-         "points[shapes.points_of(0)]. Raises IndexError where there is no such shape.");
+         "points[shapes.points_of(0)]. Raises IndexError if there is no such shape.");
 }
 
 inline void add_values(Class& result)
@@ -254,23 +255,23 @@ inline void add_values(Class& result)
                            "dict: counts, quality, memory in bytes, and times in seconds of the detection.")
     .def_property_readonly(
       "uncertainties", &uncertainties,
-      "dict of new arrays, by shape: how well its points determine its plane. noise (m,) is that of\n"
-      "a point across the plane, normal_covariance (m, 3, 3) that of the unit normal, in radians,\n"
-      "offset_deviation (m,) the standard deviation of the plane along its normal at the centroid\n"
-      "(m, 3) of the points, and angle_deg (m,) that of the normal where it is largest, in degrees.")
-    .def_property_readonly("parameters", &parameters, "dict: the parameters that were used, with what was estimated.")
+      "dict of new arrays, by shape: how accurately its points determine its plane. noise (m,) is the\n"
+      "noise of a point across the plane, normal_covariance (m, 3, 3) the covariance of the unit normal\n"
+      "in radians, centroid (m, 3) the mean of the points, offset_deviation (m,) the standard deviation\n"
+      "of the plane there along its normal, and angle_deg (m,) the largest of the normal, in degrees.")
+    .def_property_readonly("parameters", &parameters, "dict: all parameters of the detection, also estimated ones.")
     .def_property_readonly(
       "maximum_distance", [](const Result& r) { return r.shapes().parameters().maximum_distance; },
-      "float: the value that was used, in units of the points.")
+      "float: the value of the detection, in units of the points.")
     .def_property_readonly(
       "minimum_region_size", [](const Result& r) { return r.shapes().parameters().minimum_region_size; },
-      "int: the value that was used.")
+      "int: the value of the detection.")
     .def_property_readonly(
       "is_cancelled", [](const Result& r) { return r.shapes().statistics().is_cancelled; },
-      "bool: whether progress() has cancelled. The shapes found until then are complete and verified.")
+      "bool: whether progress() has cancelled the detection. The shapes found until then are verified.")
     .def_property_readonly(
       "hash", [](const Result& r) { return r.shapes().hash(); },
-      "int: equal for equal results, also of other back ends and of the program detect_planes.")
+      "int: equal for equal results, also for other back ends and the program detect_planes.")
     .def("__len__", &Result::size)
     .def("__repr__", &text);
 }
@@ -318,30 +319,29 @@ inline void add_table(Class& result)
 {
   result.def(
     "table", &table,
-    "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row of each shape, as the program "
-    "detect_planes\n"
-    "--shapes writes them. Integers are int64, the others float64; lengths are in units of the points.\n\n"
+    "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row for each shape, as detect_planes --shapes\n"
+    "writes it. Integers are int64, other numbers float64; lengths are in units of the points.\n\n"
     "shape, points            the shape, and the number of its points\n"
     "a, b, c, d               its plane\n"
     "x, y, z                  the mean of its points\n"
-    "area                     what they cover: the area of their outline; 0 where they are too few for one\n"
-    "length, width            the sides of the smallest rectangle in the plane around them, the longer one first\n"
-    "lowest, highest          of their heights along the upward direction: z, or symmetry_direction\n"
-    "tilt_deg                 angle of the normal with that direction, in [0, 180]; of the outward side, as "
-    "is_flipped\n"
-    "                         tells it, where normals were given\n"
-    "dip_deg                  angle of the plane with the level, in [0, 90]\n"
-    "azimuth_deg              where it falls most steeply, clockwise from y, in [0, 360); 0 for a level plane\n"
+    "area                     the area of the outline of its points; 0 for too few points\n"
+    "length, width            the sides of the smallest rectangle around its points in the plane, the longer side "
+    "first\n"
+    "lowest, highest          smallest and largest height of its points. Upward is z, or symmetry_direction\n"
+    "tilt_deg                 angle between upward and the normal, in [0, 180]; with given normals, the normal of\n"
+    "                         the side that is_flipped tells\n"
+    "dip_deg                  angle between the plane and the horizontal, in [0, 90]\n"
+    "azimuth_deg              direction in which the plane falls, clockwise from y, in [0, 360); 0 for a level plane\n"
     "rms_distance, mean_distance\n"
-    "                         of the points to the plane\n"
-    "turned_deg, shifted      how far regularization moved it from the least-squares plane of the points\n"
+    "                         root mean square and mean distance of the points to the plane\n"
+    "turned_deg, shifted      angle and distance between the plane and the least-squares plane of the points\n"
     "noise, offset_deviation, angle_deviation_deg\n"
-    "                         as in uncertainties, where the last one is angle_deg\n"
+    "                         as in uncertainties; the last one is angle_deg\n"
     "parallel_group, coplanar_group\n\n"
-    "The points are read again where detect_planes() has read them: the result keeps that array alive. Raises "
+    "The function reads the array of points of detect_planes() again; the result keeps that array alive. Raises "
     "ValueError\n"
-    "where they were changed since so that one is no longer on its plane; smaller changes are measured as they are.\n"
-    "Most of the time, about that of the detection, is for the areas.");
+    "if a point in the array has changed and is no longer on its plane. Takes about as long as the detection, mostly\n"
+    "for the areas.");
 }
 
 // ---
@@ -364,8 +364,8 @@ inline Class add_result(py::module_& module)
 {
   Class result(module, "PlanarShapes", py::module_local(),
                "The planar shapes that detect_planes() has found in a cloud of n points: m shapes, counted from 0.\n\n"
-               "A parallel group holds the shapes of one direction, a coplanar group those of one plane. Arrays are\n"
-               "read-only views on the memory of the result, which they keep alive. len() is the number of shapes.");
+               "A parallel group holds the shapes of one direction, a coplanar group the shapes of one plane. Arrays\n"
+               "are read-only views of the memory of the result and keep it alive. len() is the number of shapes.");
   result.attr("__module__") = "tandem";
   refuse_new(result);
   add_arrays(result);

@@ -4,8 +4,8 @@
 
     python3 color_cloud.py OUTPUT.ply [CLOUD.npy]
 
-CLOUD.npy has an array of shape (n, 3), or (n, 6) with normals; without it, a corner of a room is generated. With Open3D
-the arrays are np.asarray(cloud.points) and np.asarray(cloud.normals).
+CLOUD.npy has an array of shape (n, 3), or (n, 6) with normals. Without CLOUD.npy, the program generates a corner of a
+room. From Open3D, use np.asarray(cloud.points) and np.asarray(cloud.normals).
 """
 
 import sys
@@ -16,7 +16,7 @@ import tandem
 
 
 def make_corner(points_a_wall=4000, noise=0.005):
-    """Three walls of 3 meters that meet at nearly right angles, and some clutter."""
+    """Makes three walls of 3 meters that meet at nearly right angles, and some clutter."""
     random = np.random.default_rng(2016)
     walls = []
     for axis in range(3):
@@ -27,7 +27,7 @@ def make_corner(points_a_wall=4000, noise=0.005):
 
 
 def colors_of(labels):
-    """A color for each point: one for each shape, gray for points without a shape."""
+    """Returns a color for each point: one color for each shape, gray for points without a shape."""
     hues = (np.arange(labels.max(initial=-1) + 1) * 0.618034) % 1  # the golden ratio keeps neighbors apart
     colors = 0.5 + 0.45 * np.cos(2 * np.pi * (hues[:, None] + [0, 1 / 3, 2 / 3]))
     table = np.vstack([255 * colors, [128, 128, 128]]).astype(np.uint8)
@@ -35,7 +35,7 @@ def colors_of(labels):
 
 
 def write_ply(path, points, normals, colors, labels):
-    """Binary PLY, with an int property `shape`."""
+    """Writes binary PLY, with an int property `shape`."""
     fields = [(name, "<f8") for name in ("x", "y", "z")] + [(name, "<f4") for name in ("nx", "ny", "nz")]
     fields += [(name, "u1") for name in ("red", "green", "blue")] + [("shape", "<i4")]
     vertices = np.empty(len(points), dtype=fields)

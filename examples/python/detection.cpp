@@ -71,7 +71,7 @@ Shapes detect_with(const Cloud& cloud, const Settings& s, const Callback& callba
 
 [[noreturn]] void throw_not_available(const std::string& backend, const std::string& why)
 {
-  throw std::runtime_error("the back end " + backend + " cannot be used: " + why + " (\"auto\" takes what there is)");
+  throw std::runtime_error("the back end " + backend + " cannot be used: " + why + " (\"auto\" uses an available one)");
 }
 
 Shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& callback)

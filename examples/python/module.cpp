@@ -186,7 +186,7 @@ void add_parameter_error(py::module_& module)
   static const py::handle type =
     py::exception<CGAL::Tandem::Parameter_error>(module, "ParameterError", PyExc_ValueError);
   type.attr("__module__") = "tandem";
-  type.attr("__doc__") = "A parameter is outside of its range. Has the texts name, value and range.";
+  type.attr("__doc__") = "A parameter is outside of its range: the texts name, value and range say which.";
   py::register_exception_translator([](std::exception_ptr failure) {
     try {
       std::rethrow_exception(failure);

@@ -5,11 +5,11 @@
 \ingroup PkgShapeRegularizationTandemConcepts
 \cgalConcept
 
-What `CGAL::Tandem::Planar_shape_detection_3` needs to know: the geometry of a kernel at the border, and what executes.
+The traits of `CGAL::Tandem::Planar_shape_detection_3`: the geometry of a kernel, and the back end that executes the detection.
 
-The geometry is used only where points come in and planes go out. Everything between works on an integer grid, is a
-template on `Backend`, and is defined without reference to it: with the same types of geometry, the results of two
-models have to be the same, bit for bit.
+The class uses the geometry only to read points and to return planes. All other computations use an integer grid. They
+are templates on `Backend`, but their results do not depend on it: two models with the same types of geometry must give
+the same results, bit for bit.
 
 \cgalHasModel `CGAL::Tandem::Tandem_traits_3<GeomTraits, PointRange, PointMap, NormalMap, ConcurrencyTag>`
 */
@@ -18,16 +18,16 @@ public:
   /// \name Types
   /// @{
 
-  /// a model of `Kernel`, from which the types below come
+  /// a model of `Kernel`, which has the types below
   typedef unspecified_type Geom_traits;
 
   /// the number type of the coordinates; `CGAL::to_double()` converts it
   typedef unspecified_type FT;
-  /// a point; the points of the range, through the point map
+  /// the type of the points that the point map returns
   typedef unspecified_type Point_3;
-  /// a vector; the normals of the points, through the normal map
+  /// the type of the normals that the normal map returns
   typedef unspecified_type Vector_3;
-  /// a plane of the result
+  /// the type of the planes of the result
   typedef unspecified_type Plane_3;
 
   /// a model of `ConstRange` whose iterators are random access
@@ -36,14 +36,14 @@ public:
   /// a model of `ReadablePropertyMap` from the value type of `Point_range` to `Point_3`
   typedef unspecified_type Point_map;
 
-  /// a model of `ReadablePropertyMap` from the value type of `Point_range` to `Vector_3`, or `CGAL::Default` if the
-  /// normals are to be estimated
+  /// a model of `ReadablePropertyMap` from the value type of `Point_range` to `Vector_3`, or `CGAL::Default`: then the
+  /// detection estimates the normals
   typedef unspecified_type Normal_map;
 
-  /// what executes at the border to the caller: memory, loops over points, bodies on the cells of the cloud, sorting
+  /// the back end that reads the points of the caller: it owns memory, runs loops over points and cells, and sorts
   typedef unspecified_type Backend;
 
-  /// what executes the method: starts the engine of this package, on `Backend` or on a device
+  /// starts the engine of this package, on `Backend` or on a device
   typedef unspecified_type Execution;
 
   /// `true` if `Normal_map` is not `CGAL::Default`
@@ -73,7 +73,7 @@ public:
   /// \name Access
   /// @{
 
-  /// the kernel, which constructs the planes of the result from four numbers of type `Geom_traits::RT`
+  /// the kernel; it constructs the planes of the result from four numbers of type `Geom_traits::RT`
   const Geom_traits& geom_traits() const;
 
   /// a new back end

@@ -174,7 +174,7 @@ inline void change_commas(Text_row& row)
     if(value.find('.') != value.npos && value.find_first_not_of("0123456789+-.,eE") == value.npos &&
        value.find_first_of("0123456789") != value.npos && !is_comment(text))
       fail_at_row(row.number, "has '", value.substr(0, 40),
-                  "': with --decimal-comma, numbers have a comma, and neither a point nor separators of thousands");
+                  "': with --decimal-comma, numbers have a comma, but no point and no separators of thousands");
   for(std::size_t i = 0; i + 1 < text.size(); ++i)
     if(text[i] == ',' && is_digit(text[i + 1]) &&
        (i == 0 || is_digit(text[i - 1]) || is_blank(text[i - 1]) ||
@@ -232,7 +232,7 @@ private:
     if(row_.text.size() > longest_line)
       fail_at_row(row_.number, "has more than ", longest_line, " bytes, the limit of a line");
     if(row_.text.find('\0') != row_.text.npos)
-      fail_at_row(row_.number, "has a byte 0, which no text has but one of UTF-16");
+      fail_at_row(row_.number, "has a byte 0, as texts in UTF-16 have (convert the file to UTF-8)");
   }
 
   std::istream in;
@@ -260,7 +260,7 @@ inline std::string advice_on_commas(std::string_view row)
 {
   return row.find(',') == row.npos
            ? ""
-           : "; commas are no part of numbers: write numbers with a decimal point, and without separators of thousands";
+           : "; numbers have no commas: write numbers with a decimal point, and without separators of thousands";
 }
 
 // The numbers of a row.

@@ -27,10 +27,10 @@ void check_format(const std::string& path, const std::string& given)
   if(is_input_extension(extension))
     return;
   if(is_in(extension, {".e57", ".rcp"}))
-    throw_error("files ", extension, " are not read; convert to LAS, PLY or PCD, for example with ",
+    throw_error("this program does not read ", extension, "; convert the file to LAS, PLY or PCD, for example with ",
                 "CloudCompare or PDAL");
   if(is_in(extension, {".stl", ".obj", ".glb"}))
-    throw_error("meshes ", extension, " are not read; convert to PLY or OFF, and give --sample N, ",
+    throw_error("this program does not read ", extension, "; convert the mesh to PLY or OFF, and pass --sample N, ",
                 "the number of points on its faces");
   std::string bytes(8, '\0'), format; // that the first bytes tell, or nothing
   std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
@@ -41,7 +41,7 @@ void check_format(const std::string& path, const std::string& given)
       format = name;
   throw_error("unknown format '", extension, "', expected .ply, .las, ", has_laszip ? ".laz, " : "",
               ".pcd, .off, .ptx, ", table_names(), has_gzip ? ", or one of these with .gz" : "", "; --format ",
-              (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
+              (format.empty() ? "NAME names the format" : format + " reads the file as what its first bytes say"));
 }
 
 void check_file(const std::string& path, const Input_settings& settings)
@@ -153,7 +153,7 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
     const bool is_cropped = notes.box.xmin() <= notes.box.xmax();
     const std::string message = text_of("has no points", is_cropped ? " in the box of --crop" : "",
                                         settings.classes.empty() ? "" : " of the --classes",
-                                        is_cropped ? ": its own is " + text_of(notes.box) : "");
+                                        is_cropped ? ": the box of its points is " + text_of(notes.box) : "");
     if(!may_be_empty)
       throw std::runtime_error(message);
     notes.warnings.push_back(message);

@@ -160,7 +160,7 @@ inline std::vector<Column> parse_columns(const std::string& text, const std::str
     if(c == Column::none && !is_no_name(name))
       throw_error<Usage_error>(
         "--columns has '", name,
-        "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to pass over");
+        "', must be one of x y z nx ny nz r g b intensity classification, or _ for a column to skip");
     if(c != Column::none && has_column(columns, c))
       throw_error<Usage_error>("--columns has '", name, "' twice");
     columns.push_back(c);
@@ -199,7 +199,7 @@ inline void check_no_attributes(const Input_settings& settings, const std::strin
 }
 
 // Of degrees in place of lengths.
-constexpr const char* advice_on_degrees = "project such coordinates first, to UTM, for example";
+constexpr const char* advice_on_degrees = "first project such coordinates, for example to UTM";
 
 // How a LAS file describes its coordinate system.
 enum class Projection { none, geotiff, wkt };

@@ -64,7 +64,7 @@ std::vector<double> corners_of(std::size_t face, const std::string& row)
   const auto number_at = [&](std::size_t i) {
     const std::optional<double> number = i < cells.size() ? parse_number(cells[i]) : std::nullopt;
     if(!number)
-      throw_error("face ", face, " is not the number of its corners, and the corners");
+      throw_error("face ", face, " does not have the number of its corners and the corners");
     return *number;
   };
   std::vector<double> corners;

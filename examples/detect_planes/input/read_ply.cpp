@@ -187,8 +187,8 @@ public:
     // The last row of a text need not have an end.
     const std::uint64_t room = (in.left() + (is_ascii ? 1 : 0)) / least_size;
     if(element.count > room)
-      throw_error("is truncated: ", element.count, " items of '", element.name, "' announced, room for ", room,
-                  " at most");
+      throw_error("is truncated: ", element.count, " items of '", element.name,
+                  "' announced, but the file has room for ", room, " at most");
   }
 
   // Passes over all of them.
@@ -225,7 +225,7 @@ public:
         numbers[i] = double(count);
     }
     if(is_ascii && !is_end_of_line())
-      throw_error(place(), " has more values than the header says (add the property that is missing there)");
+      throw_error(place(), " has more values than the header says (add the missing property to the header)");
   }
 
   std::vector<double> numbers; // one of each property: of a list that of its items
@@ -245,7 +245,7 @@ private:
     }
     const std::uint64_t room = is_ascii ? in.left() / 2 + 1 : in.left() / p.type.size;
     if(count > p.count->largest() || count > room)
-      throw_error(place(), " has ", count, " items in the list '", p.name, "', room for ",
+      throw_error(place(), " has ", count, " items in the list '", p.name, "', but there is room for ",
                   (std::min)(room, p.count->largest()), " at most");
     return count;
   }
@@ -345,8 +345,8 @@ void check_end(Input_buffer& in, bool is_ascii)
       in.sbumpc();
   if(in.left() > 0)
     throw_error("is longer than its header says: ", in.left(),
-                " bytes follow the last element (correct the numbers of items in the header, or add the property that "
-                "is missing there)");
+                " bytes follow the last element (correct the numbers of items in the header, or add the missing "
+                "property)");
 }
 
 // ---
@@ -405,7 +405,7 @@ void add_faces(Rows& rows, const Element& element, Mesh_faces& faces)
   };
   const auto corners = std::find_if(element.properties.begin(), element.properties.end(), are_corners);
   if(element.name == "tristrips" || corners == element.properties.end())
-    throw_error("has '", element.name, "' without the corners of single faces; --sample 0 takes its points");
+    throw_error("has '", element.name, "' without the corners of single faces; --sample 0 uses its points");
   for(std::uint64_t i = 0; i < element.count; ++i) {
     rows.next(std::size_t(corners - element.properties.begin()));
     faces.add(rows.list);

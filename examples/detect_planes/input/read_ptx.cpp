@@ -83,7 +83,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
       }
       if(numbers.size() != size || (size != 4 && size != 7))
         fail_at_row(lines.row().number, "has ", numbers.size(),
-                    " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
+                    " numbers, expected x y z intensity or x y z intensity r g b, the same in all rows");
       if(numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)
         ++empty;
       else
@@ -92,7 +92,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
   }
   if(scans > 1)
     notes.viewpoint.reset();
-  notes.lines.emplace_back("scans", text_of(scans, (scans > 1 ? " in one file, of no single viewpoint" : ""), ", ",
+  notes.lines.emplace_back("scans", text_of(scans, (scans > 1 ? " in one file, without a common viewpoint" : ""), ", ",
                                             empty, " pixels without a point left out"));
 }
 

@@ -250,8 +250,8 @@ void read_head_line(const Text_row& row, Table_head& head)
 {
   const Cells cells = values_of(row.text);
   if(!cells.empty() && plain_name(cells[0]) == "ncols")
-    throw std::runtime_error("is a raster of ESRI (its first word is ncols), and no table of points; make one of it "
-                             "with gdal_translate -of XYZ, for example");
+    throw std::runtime_error("is a raster of ESRI (its first word is ncols), not a table of points; convert it, for "
+                             "example with gdal_translate -of XYZ");
   const bool has_note = is_comment(row.text);
   if(!has_note && is_point(cells, head.columns)) {
     head.rows.push_back(row);
@@ -272,7 +272,7 @@ void read_head_line(const Text_row& row, Table_head& head)
   } else if(!are_names(cells)) {
     head.count = parse_count(row, cells.size() == 1 ? cells[0] : "");
   } else if(std::exchange(head.has_skipped_names, true) || !has_option) {
-    fail_at_row(row.number, "is a line of names that do not tell x, y and z (name the columns by --columns)");
+    fail_at_row(row.number, "is a line of names without x, y and z (name the columns by --columns)");
   }
 }
 
@@ -281,7 +281,7 @@ void find_columns(const Sample& sample, const std::string& extension, const std:
   std::vector<Column>& columns = head.columns;
   if(head.source == Source::sample) {
     if(!tolerance.empty())
-      throw_error("has no line of names, of which --tolerance-column takes '", tolerance, "' (--columns names them)");
+      throw_error("has no line of names with '", tolerance, "' for --tolerance-column (name the columns by --columns)");
     head.counts_rows = counts_rows(sample);
     columns = recognize_columns(sample, head.counts_rows ? 1 : 0, extension);
   }
@@ -323,7 +323,7 @@ Table_head read_head(Text_lines& lines, const std::string& extension, const Inpu
   const auto has_pairs = [](const Text_row& row) { return has_pairs_of_integers(row.text, true); };
   if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
      std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
-    fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
+    fail_at(head.rows[0], "has pairs of integers, such as 1,5, 2,5");
   const Sample sample = sample_of(head.rows);
   find_columns(sample, extension, settings.tolerance, head);
   head.channel_unit = channel_unit_of(head.columns, sample);
@@ -372,17 +372,17 @@ public:
     if(head.channel_unit == 1)
       builder.widen_colors();
     if(2 * strange > count)
-      notes.warnings.push_back(text_of("the normals (nx ny nz, columns ", places(), ") are far from length 1, as ",
-                                       std::to_string(example),
-                                       "; name the columns by --columns if they are no normals"));
+      notes.warnings.push_back(text_of("the normals (nx ny nz, columns ", places(),
+                                       ") have lengths far from 1, such as ", std::to_string(example),
+                                       "; name the columns by --columns if these are no normals"));
     if(may_be_decimal)
       report_commas();
     if(break_at > 0)
       notes.warnings.push_back(text_of("column 1 counts the rows until row ", break_at,
-                                       " goes on otherwise, and is passed over; name the columns by --columns if it "
-                                       "is a coordinate"));
+                                       ", so the program skips it; name the columns by --columns if it is a "
+                                       "coordinate"));
     if(head.count && *head.count != count)
-      throw_error("has ", count, " rows of points, ", *head.count, " announced");
+      throw_error("has ", count, " rows of points, but announces ", *head.count);
   }
 
 private:
@@ -402,11 +402,10 @@ private:
       values[std::size_t(columns[c])] = *number;
     }
     if(cells.size() > columns.size() && (head.source != Source::option || has_commas))
-      fail_at(row, "has more than ", columns.size(),
-              " values (name all its columns by --columns, also those to pass over, by _)");
+      fail_at(row, "has more than ", columns.size(), " values (name all its columns by --columns, those to skip by _)");
     if(is_split && head.source == Source::sample)
-      fail_at(row, "has a number with a leading 0 behind a comma, as in 1,05, which may be a decimal comma (if it is a "
-                   "value of its own, name all columns by --columns)");
+      fail_at(row, "has a number with a leading 0 after a comma, as in 1,05: the comma may be a decimal comma (if it "
+                   "separates two values, name all columns by --columns)");
   }
 
   void look_at_normal(const double (&n)[3])
@@ -437,10 +436,10 @@ private:
   // Colors of 16 bits are too rare in such a table.
   void report_commas()
   {
-    const std::string text = "each row is of integers with commas between them, read as " + names_of(columns) +
-                             (has_wide_colors ? " with values above 255 of r g b" : "") +
-                             ": write numbers with a decimal point if the commas are decimal ones, or name the columns "
-                             "by --columns if they are not";
+    const std::string text = "each row has integers with commas between them, read as " + names_of(columns) +
+                             (has_wide_colors ? " with values above 255 for r g b" : "") +
+                             ": if the commas are decimal commas, write decimal points; otherwise name the columns by "
+                             "--columns";
     if(has_wide_colors)
       throw std::runtime_error(text);
     notes.warnings.push_back(text);

@@ -168,10 +168,10 @@ inline bool samples_faces(std::uint64_t faces, const Input_settings& settings, I
   const std::string number = std::to_string(faces) + (faces == 1 ? " face" : " faces");
   if(faces > 0 && !settings.sample)
     throw_error("has ", number,
-                ": --sample N puts N points on the faces of a mesh, --sample 0 takes their corners only");
+                ": --sample N puts N points on the faces of a mesh, --sample 0 uses only their corners");
   const bool is_sampled = settings.sample && *settings.sample > 0;
   if(is_sampled && faces == 0)
-    notes.warnings.push_back("has no faces for --sample, its points are taken");
+    notes.warnings.push_back("has no faces for --sample; the program uses its points");
   if(faces > 0 && is_sampled)
     notes.lines.emplace_back("sample", std::to_string(*settings.sample) + " points on " + number);
   if(faces > 0 && !is_sampled)
@@ -205,7 +205,7 @@ public:
     ++count;
     for(double i : face)
       if(!(i >= 0 && i < double(corners.size())) || i != std::floor(i))
-        throw_error("face ", count, " has a corner that is none of the ", corners.size(), " points");
+        throw_error("face ", count, " has a corner that is not one of the ", corners.size(), " points");
     for(std::size_t i = 2; i < face.size(); ++i) {
       const Triangle t = {std::size_t(face[0]), std::size_t(face[i - 1]), std::size_t(face[i])};
       const Vector normal = normal_of(t);
@@ -223,7 +223,7 @@ public:
   Point_set sample(const Input_settings& settings, Input_notes& notes) const
   {
     if(triangles.empty())
-      throw std::runtime_error("has faces, but none that has an area");
+      throw std::runtime_error("has faces, but none of them has an area");
     const double step = areas.back() / double(*settings.sample);
     if(!std::isfinite(areas.back()))
       throw std::runtime_error("has faces whose area is not finite");
@@ -326,7 +326,7 @@ inline double number_of_type(const char* bytes, char type, std::size_t size)
 inline void check_room(std::uint64_t points, std::uint64_t room)
 {
   if(points > room)
-    throw_error("is truncated: ", points, " points announced, room for ", room);
+    throw_error("is truncated: ", points, " points announced, but the file has room for ", room);
 }
 
 [[noreturn]] inline void fail_after(std::uint64_t point, std::uint64_t points)

@@ -42,7 +42,7 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t 
   check_signals();
   if(surface.is_empty() &&
      surface.number_of_planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
-    throw_error("--mesh: a closed surface needs four planes, and there are ", surface.number_of_planes);
+    throw_error("--mesh: a closed surface needs four planes, but there are ", surface.number_of_planes);
   return surface;
 }
 

@@ -31,13 +31,13 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
 {
   std::vector<Free_reason> reasons = {
     {f.without_normal, "without a normal",
-     "their neighbors are on a line, or --maximum-distance is larger than what is there: a larger --k-neighbors, or a "
-     "smaller distance"},
+     "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
+     "smaller --maximum-distance"},
     {f.misfit, "just beyond the tolerances of a shape",
-     "a larger --maximum-distance or --maximum-angle takes more of them"},
+     "a larger --maximum-distance or --maximum-angle adds more of them"},
     {f.without_neighbors, "alone",
      "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
-    {f.in_small_regions, "in small regions", "a smaller --minimum-region-size takes more of them"},
+    {f.in_small_regions, "in small regions", "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
      "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
     {f.unselected, "of shapes that were not selected", "the options of the selection leave them out"}};
@@ -64,7 +64,7 @@ inline std::string free_text(const CGAL::Tandem::Statistics& s)
   const bool are_many = percent(s.free_points.total()) > 35;
   for(const Free_reason& r : reasons)
     if(&r == reasons.data() || (are_many && percent(r.points) > 10))
-      text << (are_many ? "\n              " + text_of(r.name, ": ") : "; ") << r.advice;
+      text << (are_many ? "\n              " : "; ") << r.name << ": " << r.advice;
   return text.str();
 }
 

@@ -25,7 +25,7 @@ Shapes joined_shapes(const Point_set& points, const Shapes& shapes);
 inline std::string why_empty(const Shape_areas& areas)
 {
   return sentence(areas.number_of_empty_entries(), " of ", areas.number_of_entries(),
-                  " shapes cover too few points for an outline: --polygons has no polygon of them");
+                  " shapes have too few points for an outline: --polygons has no polygons for them");
 }
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.

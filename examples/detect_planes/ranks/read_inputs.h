@@ -60,7 +60,7 @@ inline void collect_notes(const Options& o, const Input_cloud& cloud, const Proc
     run.notes[i].second += " (" + joined(paths_of_note[i], 4) + ")";
   const Attributes removed = ~processes.common_bits(~cloud.of_some) & ~processes.common_bits(cloud.of_all);
   if(removed != 0)
-    run.notes.emplace_back("left out", names_of(removed) + ": not all of the inputs have them");
+    run.notes.emplace_back("left out", names_of(removed) + ": not all inputs have them");
 }
 
 // Reads the inputs of this rank, and prints what may be wrong with those of all. Returns the ranks that read them.

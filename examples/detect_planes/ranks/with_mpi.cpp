@@ -36,8 +36,8 @@ public:
     : environment(argc, argv, mpi::threading::funneled, false)
   {
     if(world.size() != launch.size)
-      throw_error(launch.size, " processes were started (", launch.variable, "), of which MPI knows ", world.size(),
-                  "; take the mpirun of the MPI that this program was built with");
+      throw_error(launch.size, " processes were started (", launch.variable, "), but MPI knows ", world.size(),
+                  "; use the mpirun of the MPI that this program was built with");
     first_signal_removes = 1;
   }
 

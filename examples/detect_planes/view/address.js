@@ -103,7 +103,7 @@ class Address {
     const { page } = this, { viewer } = page.cloud, hidden = page.visibility.toWords();
     const layers = page.cloud.layers.shown().join();
     if (!hidden)
-      tell("Too many shapes are hidden, in no order: the link of this page does not say which.");
+      tell("The address of this page does not list the hidden shapes: there are too many.");
     return { camera: viewer.toText(), up: viewer.up.join() === page.firstUp.join() ? "" : textOfDirection(viewer.up),
              color: page.mode === "shape" ? "" : page.mode, layers: layers === "points" ? "" : layers || "none",
              unassigned: page.hasUnassigned ? "" : "0", smallest: page.smallest > 1 ? String(page.smallest) : "",

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines and triangles of the shapes, as write_layers.h describes their elements of the page.
+// Outlines and triangles of the shapes. write_areas() in write_view.cpp describes their elements of the page.
 function readBytes(id) {
   const lines = byId(id).textContent.trim().split("\n").filter(line => line !== "").map(bytesOf);
   byId(id).remove();

@@ -44,8 +44,7 @@ class Viewer {
     this.setUp(all[(all.findIndex(axis => axis.join() === this.up.join()) + 1) % all.length]);
   }
 
-  // All of the box. Azimuth 0: the viewer stands in the direction of x, 90: of y (if z points up), as in
-  // scripts/render.sh.
+  // Shows the whole box. Azimuth 0: the viewer stands in the direction of x, 90: of y (if z points up).
   lookAtAll(azimuth = 30, elevation = 30, zoom = 1) {
     const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
     const up = vector(this.up).normalize();

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Planes of point clouds, with parallel, orthogonal and coplanar ones exactly so.
+"""Finds the planes of point clouds; nearly parallel, orthogonal or coplanar planes become exactly so.
 
     import numpy as np
     import tandem
@@ -8,8 +8,8 @@
     for s, (a, b, c, d) in enumerate(shapes.planes):
         print(a, b, c, d, len(shapes.points_of(s)), shapes.parallel_groups[s])
 
-The result is the same, bit for bit, for every back end, number of threads and order of the points, and the same as that
-of the C++ package and of the program detect_planes.
+The result has the same bits for every back end, number of threads and order of the points, and in the C++ package and
+the program detect_planes.
 """
 
 from __future__ import annotations
@@ -41,17 +41,17 @@ class EstimatedParameters(NamedTuple):
 
 
 class PlaneRelations(NamedTuple):
-    """The m planes that regularize_planes() returns, and how they are related."""
+    """The m planes that regularize_planes() returns, and their relations."""
 
-    planes: npt.NDArray[np.float64]  #: (m, 4): a, b, c, d; those that are related or were changed have a unit normal
-    parallel_groups: npt.NDArray[np.int32]  #: (m,): those of a group have the same unit normal, up to its sign
-    coplanar_groups: npt.NDArray[np.int32]  #: (m,): those of a group are the same plane, up to its sign
-    orthogonal_pairs: npt.NDArray[np.int32]  #: (p, 2): pairs of parallel groups, the smaller one first, sorted
-    is_changed: npt.NDArray[np.bool_]  #: (m,)
+    planes: npt.NDArray[np.float64]  #: (m, 4): a, b, c, d; planes that are related or changed have a unit normal
+    parallel_groups: npt.NDArray[np.int32]  #: (m,): planes of a group have the same unit normal, up to its sign
+    coplanar_groups: npt.NDArray[np.int32]  #: (m,): planes of a group are the same plane, up to its sign
+    orthogonal_pairs: npt.NDArray[np.int32]  #: (p, 2): pairs of parallel groups, the smaller number first, sorted
+    is_changed: npt.NDArray[np.bool_]  #: (m,): whether the function turned or moved the plane
     is_rolled_back: npt.NDArray[np.bool_]  #: (m,): whether a direction is near, but would cost the points too much
-    angles: npt.NDArray[np.float64]  #: (m,): how far each plane was turned, in degrees
-    largest_distances: npt.NDArray[np.float64]  #: (m,): of the points of each plane to it
-    maximum_distance: float  #: the distance that losses were measured by
+    angles: npt.NDArray[np.float64]  #: (m,): the angle by which the function turned each plane, in degrees
+    largest_distances: npt.NDArray[np.float64]  #: (m,): largest distance of the points of each plane to that plane
+    maximum_distance: float  #: the distance by which the function measured losses
 
 
 def detect_planes(
@@ -79,46 +79,46 @@ def detect_planes(
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> PlanarShapes:
-    """Detects planar shapes and makes those that are nearly parallel, orthogonal or coplanar exactly so.
+    """Detects planar shapes and makes shapes that are nearly parallel, orthogonal or coplanar exactly so.
 
     Each point of a shape is within maximum_distance and maximum_angle of the final plane of its shape. Points with a
     coordinate that is not finite, or a given normal that is null or not finite, belong to no shape: their label is -1,
     and the statistics count them. Masked numbers of a masked array count as not finite.
 
     Arguments
-        points               (n, 3) numbers. A C-contiguous array of float64 is read where it is, others are converted.
-                             Do not change it during the call.
-        normals              (n, 3) numbers, of any length and orientation, which are copied; None: estimated
-        maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None: what
-                             nearly all of maximum_distance_map do not exceed, else estimated, as estimate_parameters()
-                             does. More than the largest of maximum_distance_map is the same as that
-        maximum_distance_map (n,) numbers, which are copied: the same for each point, at most maximum_distance. Points
-                             where it is not positive have no shape, and the statistics count them. None: it is
-                             maximum_distance for all. estimate_local_distances() estimates one
+        points               (n, 3) numbers. The function reads a C-contiguous array of float64 without a copy and
+                             converts other arrays. Do not change the array during the call.
+        normals              (n, 3) numbers, of any length and orientation; the function copies them. None: estimated
+        maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None: the
+                             value that nearly all numbers of maximum_distance_map do not exceed, or, without that map,
+                             the estimate of estimate_parameters(). The largest number of the map bounds this value
+        maximum_distance_map (n,) numbers: the largest distance of each point, at most maximum_distance; the function
+                             copies them. Points without a positive number have no shape, and the statistics count them.
+                             None: maximum_distance for all points. estimate_local_distances() estimates such a map
         maximum_angle        largest angle between the normal of a point and that of its shape, in degrees, in
                              [0.05, 90); None: 25
-        angle_tolerance      angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 8
-        maximum_offset       largest distance of parallel planes that are made coplanar, in units of the points; None:
+        angle_tolerance      angle within which planes become parallel or orthogonal, in degrees, in [0, 45); None: 8
+        maximum_offset       distance within which parallel planes become coplanar, in units of the points; None:
                              maximum_distance
         minimum_region_size  smallest number of points of a shape, at least 3; None: estimated
-        simplicity           what the size of a shape is worth, in [0, 1]: smaller, more layers and details; larger, fewer
-                             and larger shapes; None: 0.04
-        regularity           what a degree of freedom is worth in minimum_region_size, in [0, 10]: larger, more
-                             relations; None: 0.1
-        surfel_size          edge of the cells whose points are taken as one while shapes grow, as a share of
+        simplicity           what the size of a shape is worth, in [0, 1]. Smaller: more layers and details. Larger: fewer
+                             and larger shapes. None: 0.04
+        regularity           what a degree of freedom is worth, in minimum_region_size, in [0, 10]. Larger: more
+                             relations. None: 0.1
+        surfel_size          edge of the cubes whose points are taken as one while shapes grow, divided by
                              maximum_distance, in [0, 0.55]; 0: each point by itself; None: 0.55
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
         cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
-                             which relations are made exact
+                             whether this relation becomes exact
         fixed_directions     (d, 3) numbers: directions known beforehand, such as the vertical, of any length. Shapes
                              within angle_tolerance become exactly parallel or orthogonal to them if their points allow
-                             it. Opposite ones, and those less than 1e-9 radians apart, are one. None: there are none
-        symmetry_direction   three numbers: such a direction, too; and shapes that make nearly the same angle with it,
-                             such as the sides of a roof, make exactly the same. None: there is none
-        ignore_zeros         whether points exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and
-                             nothing depends on them. The points are copied then
-        backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All of them
+                             it. Directions that are opposite, or less than 1e-9 radians apart, count as one
+        symmetry_direction   three numbers: another fixed direction. Shapes that make nearly the same angle with it, such
+                             as the two sides of a roof, then make exactly the same angle. None: no direction
+        ignore_zeros         whether to ignore points exactly at 0 0 0, such as invalid pixels of depth cameras: they
+                             have no shape and change nothing. Then the function copies the points
+        backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All back ends
                              give the same result.
         threads              largest number of threads; None: all processors
         progress             a function that gets the progress, in [0, 1], and cancels by returning False: the result
@@ -129,10 +129,10 @@ def detect_planes(
 
     Returns PlanarShapes.
 
-    Raises ParameterError, a ValueError with the texts name, value and range: a value is outside of its range, or the
-    extent of the points is more than 2^24 times maximum_distance; ValueError, which names the argument: an array has
-    the wrong shape or type, or there are too many points; TypeError: an argument is no number; MemoryError;
-    RuntimeError: the back end cannot be used here.
+    Raises ParameterError, a ValueError with the texts name, value and range, for a value outside of its range, or an
+    extent of the points of more than 2^24 times maximum_distance; ValueError, which names the argument, for an array of
+    wrong shape or type, or too many points; TypeError for an argument that is no number; MemoryError; RuntimeError for a
+    back end that cannot be used here.
     """
     rows, zeros = _points(points, ignore_zeros)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), zeros)
@@ -157,10 +157,10 @@ def detect_planes(
 def estimate_parameters(
     points: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None, *, ignore_zeros: bool = False
 ) -> EstimatedParameters:
-    """Estimates the parameters that detect_planes() uses where they are not given.
+    """Estimates the parameters that detect_planes() uses if you do not pass them.
 
-    Arguments and errors are those of detect_planes(). The estimate follows from the noise and spacing of the points; a
-    stray point far away from all others spoils it.
+    Arguments and errors are those of detect_planes(). The estimate uses the noise and the spacing of the points. Stray
+    points far away from all others make it wrong.
     """
     rows, _ = _points(points, ignore_zeros)
     return EstimatedParameters(*_tandem.estimate_parameters(rows, _normals(normals, rows)))
@@ -192,29 +192,29 @@ def regularize_planes(
     fixed_directions: Optional[npt.ArrayLike] = None,
     symmetry_direction: Optional[npt.ArrayLike] = None,
 ) -> PlaneRelations:
-    """Makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
+    """Makes given planes exactly parallel, orthogonal and coplanar if their points allow it.
 
-    For planes of any other detector. The arguments are not changed. Planes that are parallel, orthogonal, coplanar or
-    symmetric to another, or have a fixed direction, get a unit normal, also where they had that relation before. The
-    others are returned as they are, with normals of any length. Planes keep their orientation. One that has no normal,
-    or a number that is not finite, or whose points determine no plane, is neither turned nor moved.
+    The planes may come from any detector. The function does not change its arguments. Planes that are parallel,
+    orthogonal, coplanar or symmetric to another plane, or have a fixed direction, get a unit normal, also if they had
+    that relation before. The function returns the other planes unchanged. Planes keep their orientation. A plane with a
+    null normal or a number that is not finite, or whose points determine no plane, neither turns nor moves.
 
     Arguments
         points            (n, 3) numbers, as those of detect_planes()
         labels            (n,) integers: the plane of each point, -1 or masked if it has none
-        planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0. Masked ones are NaN.
-        maximum_angle     angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 25
-        maximum_offset    largest distance of parallel planes that are made coplanar, in units of the points; None: 0.01
-        maximum_distance  distance that losses are measured by: larger, more relations; None: 2.5 times the root mean
-                          square distance of the points to the given planes, at least maximum_offset
-        regularity        what a degree of freedom is worth, in numbers of points of the smallest plane, in [0, 10]:
-                          larger, more relations; None: 0.1
+        planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0. Masked numbers count as NaN.
+        maximum_angle     angle within which planes become parallel or orthogonal, in degrees, in [0, 45); None: 25
+        maximum_offset    distance within which parallel planes become coplanar, in units of the points; None: 0.01
+        maximum_distance  distance by which the function measures losses. Larger: more relations. None: 2.5 times the
+                          root mean square distance of the points to the given planes, at least maximum_offset
+        regularity        what a degree of freedom is worth, in numbers of points of the smallest plane, in [0, 10].
+                          Larger: more relations. None: 0.1
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
-                          which relations are made exact
+                          whether this relation becomes exact
         fixed_directions, symmetry_direction
                           as those of detect_planes(), within maximum_angle
 
-    Raises ValueError and TypeError as detect_planes().
+    Raises ValueError and TypeError as detect_planes() does.
     """
     rows = _rows("points", points)
     settings = _tandem.default_settings()
@@ -229,10 +229,10 @@ def regularize_planes(
 
 
 def find_violation(points: npt.ArrayLike, shapes: PlanarShapes) -> Optional[str]:
-    """Checks a result against the points that it was detected in; takes a good part of the time of the detection.
+    """Checks all guarantees of a result, for the points of its detection. Takes nearly as long as the detection.
 
-    Returns None if the shapes have all that is guaranteed, otherwise the first violation. Raises ValueError as
-    detect_planes().
+    Returns None if all guarantees hold, otherwise a text that describes the first violation. Raises ValueError as
+    detect_planes() does.
     """
     _check_result(shapes)
     rows, _ = _points(points, shapes.statistics["number_of_ignored_zeros"] > 0)

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments of the package, checked and converted: a wrong one is an error that names it."""
+"""Checks and converts the arguments of the package. An error names the wrong argument."""
 
 from __future__ import annotations
 

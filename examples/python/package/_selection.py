@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be done with a result of detect_planes(): a part of its shapes, and further points on its planes."""
+"""Functions on a result of detect_planes(): they select shapes, and label other points by the planes."""
 
 from __future__ import annotations
 
@@ -25,26 +25,27 @@ def select_shapes(
     orthogonal_direction: Optional[npt.ArrayLike] = None,
     near_angle: Optional[float] = None,
 ) -> PlanarShapes:
-    """Returns a result with some of the shapes: those of the indices, in their order, or those that fit all criteria.
+    """Returns a result with some of the shapes: the shapes of the indices, in their order, or all that fit the criteria.
 
     Points of other shapes get the label -1, and count as "unselected" in statistics["free_points"]. Planes and relations
-    stay as they are; groups are numbered again, and shapes and points are counted again, so find_violation() finds none.
-    The score, the mean distance and the times of the statistics remain those of the detection. Areas and extents are
-    measured at the array of points that the shapes were detected in, which may not have changed since.
+    stay as they are. The function numbers groups again and counts shapes and points again, so all guarantees hold. The
+    score, the mean distance and the times of the statistics describe the detection. The function measures areas and
+    extents on the array of points of the detection: do not change that array before.
 
     Arguments
         shapes                a result of detect_planes(), which does not change
         indices               integers, or a mask with a truth value for each shape; not together with criteria
-        largest               how many shapes with most points, of those that fit the other criteria
-        minimum_area          least area that the points of a shape cover
-        minimum_extent        least length of a shape: of the longer side of the smallest rectangle that holds its points
-        near_direction        three numbers: normals are within near_angle of it, of either sign. With the vertical, level
-                              shapes are selected
-        orthogonal_direction  three numbers: normals are within near_angle of a right angle to it. With the vertical, walls
-                              are selected
+        largest               number of shapes: those with most points, of those that fit the other criteria
+        minimum_area          smallest area that the points of a shape cover
+        minimum_extent        smallest length of a shape: the longer side of the smallest rectangle around its points
+        near_direction        three numbers: selects shapes with a normal within near_angle of this direction or its
+                              opposite. With the vertical, these are level shapes
+        orthogonal_direction  three numbers: selects shapes with a normal within near_angle of a right angle to this
+                              direction. With the vertical, these are walls
         near_angle            in degrees, in [0, 90]; None: 10
 
-    Raises ValueError and TypeError as detect_planes(): also where an index is not that of a shape, or is there twice.
+    Raises ValueError and TypeError as detect_planes() does, and ValueError for an index that is not that of a shape, or
+    occurs twice.
     """
     _check_result(shapes)
     criteria = (largest, minimum_area, minimum_extent, near_direction, orthogonal_direction, near_angle)
@@ -69,9 +70,9 @@ def label_points(
     maximum_angle: Optional[float] = None,
     reach: Optional[float] = None,
 ) -> npt.NDArray[np.int32]:
-    """Labels further points by the planes of a result: those of a full cloud, where a part of it was detected in.
+    """Labels other points by the planes of a result: all points of a cloud, for example, after a detection in some.
 
-    A point gets the shape with the nearest plane, of those within maximum_distance and, if normals are given,
+    A point gets the shape with the nearest plane, of those within maximum_distance and, if you pass normals,
     maximum_angle, that have a point within reach. Points of a shape need not be connected, and may be few. The labels do
     not depend on the order of the points.
 
@@ -80,17 +81,16 @@ def label_points(
         points                (n, 3) numbers
         normals               (n, 3) numbers, of any length and orientation; None: only distances count
         maximum_distance, maximum_angle
-                              as those of detect_planes(); None: those that the shapes were detected with
-        maximum_distance_map  as that of detect_planes(), of these points
-        reach                 largest distance between a point and the nearest one that its shape has in the detection;
-                              None: four times the median spacing of the points of the detection. More is needed where
-                              their density varies much. Infinite: planes have no end, and of coplanar shapes the first
-                              has all points
+                              as those of detect_planes(); None: the values of the detection
+        maximum_distance_map  as that of detect_planes(), for these points
+        reach                 largest distance from a point to the nearest point of its shape in the detection; None: four
+                              times the median spacing of the points of the detection. If their density varies much, pass
+                              more. Infinite: planes are unbounded, and the first of coplanar shapes gets all points
 
-    Returns an array of shape (n,), int32: -1 for points that no shape takes, and for those that are not valid.
+    Returns an array of shape (n,), int32: -1 for points that no shape takes, and for points that are not valid.
 
-    Raises ValueError and TypeError as detect_planes(): also where the points of the detection, which are read again unless
-    reach is infinite, were changed since so that one is no longer on its plane.
+    Raises ValueError and TypeError as detect_planes() does. Unless reach is infinite, the function reads the points of the
+    detection again, and raises ValueError if one of them is no longer on its plane.
     """
     _check_result(shapes)
     rows = _rows("points", points)

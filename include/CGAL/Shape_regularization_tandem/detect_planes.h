@@ -87,7 +87,7 @@ the defaults then
     \cgalParamDefault{0.1}
   \cgalParamNEnd
   \cgalParamNBegin{surfel_size}
-    \cgalParamDescription{the edge of the cells whose points are one surfel while shapes grow, as a share of
+    \cgalParamDescription{the edge of the cells whose points are one surfel while shapes grow, as a fraction of
     `maximum_distance`, in [0, 0.55]; 0: each point is a surfel. Points are checked one by one in any case}
     \cgalParamDefault{0.55}
   \cgalParamNEnd

@@ -44,8 +44,8 @@ struct Parameters {
   /// what a degree of freedom is worth, in minimum sizes, in [0, 10]: from planes that follow their points to many
   /// relations
   double regularity = .1;
-  /// edge of the cells whose points are one surfel while shapes grow, as a share of `maximum_distance`, in [0, 0.55];
-  /// 0: each point is a surfel
+  /// edge of the cells whose points are one surfel while shapes grow, as a fraction of `maximum_distance`, in [0,
+  /// 0.55]; 0: each point is a surfel
   double surfel_size = .55;
   /// number of neighbors of a point (k), in [3, 64]
   std::size_t k_neighbors = 12;

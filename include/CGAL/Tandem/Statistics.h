@@ -85,7 +85,7 @@ struct Statistics {
   std::size_t number_of_planes = 0;              ///< coplanar groups: distinct planes of the shapes
   std::size_t number_of_orthogonal_pairs = 0;    ///< pairs of parallel groups that are orthogonal
 
-  /// the share of the points that belong to a shape
+  /// the ratio of the points that belong to a shape, in [0, 1]
   double coverage = 0;
   /// mean distance of the points of the shapes to their planes, in units of the input; measured on the grid, whose step
   /// is about a thousandth of `maximum_distance`
@@ -104,8 +104,8 @@ struct Statistics {
   bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
   bool has_estimated_normals = false; ///< whether normals were estimated, because none were given
   bool is_cancelled = false;          ///< whether the callback ended the detection early
-  /// a sentence on `maximum_distance`, where it was estimated and one value for all points is a compromise: there are
-  /// steps of depth, surfaces close behind others, noise that varies, or surfaces that bend. Otherwise empty
+  /// a sentence that says why one estimated `maximum_distance` for all points is a compromise: coordinates are in
+  /// steps, surfaces are close to others, the noise varies, or there is no surface. Empty if it is none, or was given
   std::string estimate_note;
   /// which of `maximum_angle` and `angle_tolerance`, which are in degrees, is also the cosine of an allowed angle, and
   /// so may have been meant as one, and what to pass then. Otherwise empty

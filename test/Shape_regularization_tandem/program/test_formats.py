@@ -53,7 +53,7 @@ test_inputs_and_options = cases([
      "classification: ", "cube.ply source.txt E"),
     (1, "missing.las: no such file", "cube.ply missing.las"), (2, "named twice", "cube.ply rich.xyz --output rich.xyz"),
     *((2, f"columns {what}", f"rich.xyz --columns '{columns}'") for what, columns in (
-        ("has 'q', must be of x y z", "x y z q"), ("must have x, y and z", "x y"), ("has 'x' twice", "x y z x"),
+        ("has 'q', must be one of x y z", "x y z q"), ("must have x, y and z", "x y"), ("has 'x' twice", "x y z x"),
         ("must have all three of", "x y z nx"))),
     (2, "columns is for text tables", "cube.ply --columns 'x y z'"),
     *((2, f"--classes is '{classes}', must be numbers from 0 to 255 .*as in 2,6", f"rich.las '--classes={classes}'")
@@ -103,7 +103,7 @@ def test_columns_of_text(p, columns, name, text, more):
 def test_other_columns(p):
     p.write({"wrong.csv": "x y z nx ny nz\n" + with_columns(" 200 100 1"),
              "nan.xyz": f"nan NaN -inf\n{BARE}1 ,, 2\n"})
-    p(WARNS, "warning: wrong.csv: the normals .nx ny nz, columns 4 5 6. are far from length 1", "wrong.csv E")
+    p(WARNS, "warning: wrong.csv: the normals .nx ny nz, columns 4 5 6. have lengths far from 1", "wrong.csv E")
     # Points that are not finite stay, and belong to no shape.
     p(0, "points +1730.*ignored: 2 not finite", "nan.xyz E --output nan.las --labels nan.labels")
     assert len(p.labels("nan.labels")) == 1730
@@ -129,7 +129,7 @@ SCAN = HEAD + "0 0 0 1\n1 2 3 0.5\n"
 test_wrong_files = refused_files([
     *((f"{name}.pcd", None, "the compressed points are damaged") for name in ("damaged", "before")),
     ("huge.pcd", None, "is truncated"),
-    ("cut.las", LAS["10.las"][:9000], f"is truncated: {N} points announced, room for [0-9]+"),
+    ("cut.las", LAS["10.las"][:9000], f"is truncated: {N} points announced, but the file has room for [0-9]+"),
     ("head.las", LAS["10.las"][:100], "is truncated: the LAS header"),
     ("cut.pcd", PCD["binary.pcd"][:9000], f"is truncated: {N} points announced"),
     ("cut.pcd", PCD["compressed.pcd"][:9000], "is truncated: [0-9]+ compressed"),
@@ -138,9 +138,9 @@ test_wrong_files = refused_files([
     ("type.pcd", pcd("0 0 0\n", count=1).replace("8 8 8", "4 4 3"), "the PCD field 'z' has the type F of 3 bytes"),
     ("wide.pcd", pcd("", more="WIDTH 2\nHEIGHT 2\n", count=3, size=4),
      "the PCD header has 3 POINTS, but WIDTH times HEIGHT is 4"),
-    ("cube.e57", "ASTM-E57", "files .e57 are not read; convert to LAS"),
-    ("cube.stl", "solid cube", "meshes .stl are not read; convert to PLY or OFF, and give --sample N"),
-    ("cube.doc", CUBE, "unknown format '.doc', expected .ply, .las,.*; --format NAME tells it"),
+    ("cube.e57", "ASTM-E57", "this program does not read .e57; convert the file to LAS"),
+    ("cube.stl", "solid cube", "this program does not read .stl; convert the mesh to PLY or OFF, and pass --sample N"),
+    ("cube.doc", CUBE, "unknown format '.doc', expected .ply, .las,.*; --format NAME names the format"),
     ("table.ptx", CUBE, "row 1 is not the number of columns or rows of a scan"),
     ("head.ptx", HEAD, "is truncated: the header of a scan is not complete"),
     ("row.ptx", HEAD + "0 0 1\n1 2 3 0.5\n", "row 10 of the header of a scan has 3 numbers instead of 4"),
@@ -170,7 +170,7 @@ def test_format_option(p, room_hash):
         p(0, f"columns +x y z\n.*{room_hash}", f"'a folder/{name}' --format {format}")
     for format in ("ply", "las", "pcd"):
         p.write({f"{format}.bin": p.path(f"rich.{format}").read_bytes()})
-        p(1, f"{format}.bin: unknown format '.bin', .*; --format {format} reads it as what its first bytes say",
+        p(1, f"{format}.bin: unknown format '.bin', .*; --format {format} reads the file as what its first bytes say",
           f"{format}.bin")
         p(0, f"points +{N}.*shapes +3 in", f"{format}.bin --format {format} E")
     if HAS_GZIP:
@@ -189,11 +189,11 @@ def test_ptx(p, room_hash):
     p(0, NOTHING, "one.ptx --crop=-inf,-inf,-inf,inf,inf,6 --output cut.csv --quiet")
     all_rows, low = ([line.split(",")[:3] for line in p.lines(name)[1:]] for name in ("one.csv", "cut.csv"))
     assert low == [row for row in all_rows if float(row[2]) <= 6]
-    p(0, "normals estimated\n +scans +2 in one file, of no single viewpoint, 100 pixels without a point left out\n.*"
+    p(0, "normals estimated\n +scans +2 in one file, without a common viewpoint, 100 pixels without a point left out\n.*"
       "shapes +3 in 3 planes", "two.ptx --output two.csv --colors input")
     names, row = p.lines("two.csv")[:2]
     assert names == "x,y,z,nx,ny,nz,r,g,b,intensity,shape" and re.fullmatch("[0-9.,e+-]+,10,20,250,0.5,[0-9-]+", row)
-    p(1, "two.ptx: has no place of the sensor: --noise needs it", "two.ptx --noise 0.01")
+    p(1, "two.ptx: does not tell the place of the sensor; --noise needs", "two.ptx --noise 0.01")
     p(1, "one.ptx: is PTX, whose points have no 'classification', which --classes needs", "one.ptx --classes 2")
 
 

@@ -180,7 +180,7 @@ def test_polygons_of_other_formats(p):
     assert '"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25833"}}' in p.read("named.json")
     # Shapes without a polygon are counted.
     p.warns("few.xyz --maximum-distance .1 --minimum-region-size 10 --polygons few.json",
-            "1 of 1 shapes cover too few points for an outline")
+            "1 of 1 shapes have too few points for an outline")
 
 
 @table("exponent", [-520, 520])
@@ -230,7 +230,7 @@ OTHERS = {"planes": "planes", "labels": "labels", "output": "ply", "report": "js
 
 def test_no_closed_surface(p):
     """What is done is kept where there is no surface: all other outputs are complete."""
-    p(1, r"shapes .*a closed surface needs four planes, and there are 3\n\Z", "cube.ply E --mesh open.off")
+    p(1, r"shapes .*a closed surface needs four planes, but there are 3\n\Z", "cube.ply E --mesh open.off")
     p(1, r"shapes .*no volume was found that 4 planes enclose; the other files are complete\n\Z",
       "tower.xyz E --mesh open.off " + " ".join(f"--{option} open.{name}" for option, name in OTHERS.items()))
     assert not p.has("open.off") and all(p.path(f"open.{name}").stat().st_size > 0 for name in OTHERS.values())

@@ -121,7 +121,7 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
         "output out.ply", "labels out.ply", "vg out.ply", "polygons out.ply", "shapes out.csv", "mesh out.ply",
         "view out.html", "by-plane", "planes-from 1", "minimum-area 1", "minimum-extent 1")),
     *([] if os.environ.get("TANDEM_WITH_MPI_CUDA") == "1" else [
-        (2, 2, "--backend is 'cuda', which is for one process", f"{ALL} --backend cuda")]),
+        (2, 2, "--backend is 'cuda', but in several processes", f"{ALL} --backend cuda")]),
     (2, 2, "--estimate-normals with a number needs all points", f"{ALL} --estimate-normals 12"),
     (2, 1, "--viewpoint is for estimated normals, but the input has normals",
      f"cube.ply given.ply {OPTIONS} --viewpoint 4,1.5,2"),

@@ -69,11 +69,11 @@ def test_planes_without_points(p):
     assert len(p.lines("s.csv")) == 6
     report = p.json("r.json")
     assert report["relations"]["coplanar_groups"] == [[0], [1, 2, 3], [4]] and report["planes_from"] == "more.txt"
-    p.warns("cube.ply E --planes-from more.txt --polygons o.obj", "3 of 5 shapes cover too few points")
+    p.warns("cube.ply E --planes-from more.txt --polygons o.obj", "3 of 5 shapes have too few points")
     p.warns(f"cube.ply E --planes-from far.txt {VIEW} --output far.ply",
             "only 0 % of the points are within the tolerances of a plane of far.txt: a larger --maximum-distance")
     p.write({"few.txt": "0 0 1 -0.007\n"})
-    p.warns("cube.ply E --planes-from few.txt", "only [0-9.]+ % of the points are within .*, or the planes are those of other")
+    p.warns("cube.ply E --planes-from few.txt", "only [0-9.]+ % of the points are within .*, or the planes belong to another")
 
 
 @table("name, text, pattern", [
@@ -93,6 +93,6 @@ def test_wrong_files(p, name, text, pattern):
 
 
 test_wrong_options = cases([
-    ("--planes-from takes normals of the input, or by --estimate-normals K",
+    ("--planes-from with --estimate-normals needs a number K",
      "bare.xyz --planes-from two.txt --estimate-normals"),
     ("the file two.txt is named twice", "cube.ply --planes-from two.txt --planes two.txt")], 2)

@@ -44,7 +44,7 @@ def test_other_elements_do_not_change_the_result(p, content, more):
 test_wrong_files = refused_files([
     # Numbers of items that the file cannot hold
     ("list.ply", ply(TWO + LIST, "0 0 0 1000000000\n0 0 0 0\n"),
-     "row 1 of 'vertex' has 1000000000 items in the list 'extra', room for 5 at most"),
+     "row 1 of 'vertex' has 1000000000 items in the list 'extra', but there is room for 5 at most"),
     ("negative.ply", ply(TWO + LIST, "0 0 0 -1\n0 0 0 0\n"), "row 1 of 'vertex' has '-1' where the number"),
     ("small.ply", ply(TWO + "property list uchar float extra\n", "0 0 0 300\n0 0 0 0\n"),
      "row 1 of 'vertex' has 300 items"),
@@ -57,7 +57,7 @@ test_wrong_files = refused_files([
                                    ("short.ply", b"\0\0", "is truncated"))),
     ("cut.ply", binary_ply(ONE_FLOAT, POINT[:9]), "is truncated"),
     # More in the file than announced
-    ("row.ply", ply(VERTICES, CUBE), "row 1 of 'vertex' has more values than the header says .add the property"),
+    ("row.ply", ply(VERTICES, CUBE), "row 1 of 'vertex' has more values than the header says .add the missing property"),
     ("more.ply", ply(TWO, "0 0 0\n0 0 0\n0 0 1\n"),
      "is longer than its header says: 6 bytes follow .*correct the numbers of items"),
     ("part.ply", ply(TWO + "property int id\n", "0 0 0 1.5\n0 0 0 1\n"), ".*a value is not of the type"),
@@ -67,7 +67,7 @@ test_wrong_files = refused_files([
     # Numbers of points
     ("negative.off", off(CUBE, "-1 0 0"), "announces -1 points"),
     ("negative.xyz", "-1\n" + CUBE, "announces -1 points"),
-    ("fewer.xyz", "2\n" + CUBE, f"has {N} rows of points, 2 announced"),
+    ("fewer.xyz", "2\n" + CUBE, f"has {N} rows of points, but announces 2"),
     # Rows that are no points
     ("short.xyz", "1 0\n" + CUBE, "row 1 is neither a point, the number of points nor a line of names"),
     ("face.off", off("0 0 0\n1 0 0\n0 1 0\n" + OFF_FACES, "4 2 0"), "is truncated: less rows of faces"),
@@ -84,15 +84,15 @@ test_wrong_files = refused_files([
      "the points of the PLY file have no property 'z'"),
     # Meshes
     ("row.off", off("0 0 0\n0 1b\n" + OFF_FACES, "2 2 0"), "unreadable after point 1 of 2", "--sample 0"),
-    *((f"corner.{kind}", content, "face 1 has a corner that is none of the 8 points", "--sample 9")
+    *((f"corner.{kind}", content, "face 1 has a corner that is not one of the 8 points", "--sample 9")
       for face in ("3 0 1 8\n", "3 0 1 -1\n") for kind, content in (
           ("ply", ply(BOX + "element face 1\nproperty list int int vertex_index\n", CORNERS + face)),
           ("off", off(CORNERS + face, "8 1 0")))),
-    ("flat.off", off(CORNERS + "3 0 0 1\n2 0 1\n", "8 2 0"), "has faces, but none that has an area", "--sample 9"),
-    ("short.off", off(CORNERS + "4 0 1 2\n", "8 1 0"), "face 1 is not the number of its corners", "--sample 9"),
+    ("flat.off", off(CORNERS + "3 0 0 1\n2 0 1\n", "8 2 0"), "has faces, but none of them has an area", "--sample 9"),
+    ("short.off", off(CORNERS + "4 0 1 2\n", "8 1 0"), "face 1 does not have the number of its corners", "--sample 9"),
     ("infinite.off", off("0 0 0\n1e200 0 0\n0 1e200 0\n3 0 1 2\n", "3 1 0"), "face 1 has no finite area", "--sample 9"),
     ("strips.ply", ply(BOX + "element tristrips 1\nproperty list int int vertex_indices\n", CORNERS + "3 0 1 2\n"),
-     "has 'tristrips' without the corners of single faces; --sample 0 takes", "--sample 9"),
+     "has 'tristrips' without the corners of single faces; --sample 0 uses", "--sample 9"),
     ("box.ply", None, "has faces: the points .* have no 'classification', which --classes needs", "--sample 9 --classes 1"),
     ("both.ply", None, "has no property 'error', which --tolerance-column names; it has X", "--tolerance-column error")])
 test_wrong_options = cases([("sample is -1, must be in .0, 1000000000.", "box.ply --sample -1"),
@@ -103,7 +103,7 @@ def test_right_files(p):
     p.write({"line.ply": binary_ply(ONE_FLOAT, POINT + b"\n"), "beside.off": f"OFF {N} 2 0\n{CUBE}{OFF_FACES}"})
     p(WARNS, "points +1,.*no shape was found", "line.ply")
     p(0, f"points +{N},", "beside.off E --sample 0")
-    p.warns("cube.ply E --sample 9", "cube.ply: has no faces for --sample, its points are taken")
+    p.warns("cube.ply E --sample 9", "cube.ply: has no faces for --sample; the program uses its points")
 
 
 def test_interrupted_reading(p):
@@ -147,7 +147,7 @@ def test_points(p, header, rows, pattern):
 def test_meshes(p):
     hashes = set()
     for name in ("box.ply", "box.off"):
-        p(1, f"{name}: has 7 faces: --sample N puts N points on the faces of a mesh, --sample 0 takes their corners only\n",
+        p(1, f"{name}: has 7 faces: --sample N puts N points on the faces of a mesh, --sample 0 uses only their corners\n",
           name)
         p(WARNS, "points +8,.*sample +the corners of 7 faces", f"{name} --sample 0 --maximum-distance .1")
         hashes.add(p.hash(

@@ -85,7 +85,7 @@ def test_outputs_of_what_is_left(p):
 def test_nothing_is_left(p):
     """A warning, and files without shapes"""
     p.warns(f"{PARTS} --minimum-extent 1 --labels l.bin --planes p.txt --polygons o.obj --vg o.vg --output o.ply",
-            "none of the 4 shapes fits --minimum-extent 1: the outputs have none")
+            "none of the 4 shapes fits --minimum-extent 1: the outputs have no shapes")
     assert p.read("p.txt") == "" and p.sizes("l.bin") == {-1: TOTAL}
 
 
@@ -108,9 +108,9 @@ def test_crop(p):
         p(0, low_hash, f"nan.xyz --crop={box} {OPTIONS} --labels l.bin")
         assert p.is_same("low.bin", "l.bin")
     p(0, "points +1753", f"nan.xyz {OPTIONS}")
-    p(1, "nan.xyz: has no points in the box of --crop: its own is 0.007,0.007,0,2.06[0-9]*,1,0.168",
+    p(1, "nan.xyz: has no points in the box of --crop: the box of its points is 0.007,0.007,0,2.06[0-9]*,1,0.168",
       f"nan.xyz {OPTIONS} --crop 5,5,5,6,6,6")
-    p(WARNS, "warning: low.xyz: has no points in the box of --crop: its own", "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
+    p(WARNS, "warning: low.xyz: has no points in the box of --crop: the box of its points", "low.xyz nan.xyz --crop 1.5,0,0,3,1,1 E")
 
 
 def test_crop_of_meshes(p):

@@ -111,7 +111,7 @@ test_refused_before_the_cloud_is_read = cases([(pattern, f"missing.ply {argument
     *((f"--label-property is '{name}', must be letters, digits and _, a letter first, at most 32",
        f"--output a.ply --label-property '{name}'")
        for name in ("a b", "a-b", "9a", "_a", "ä", "abcdefghijklmnopqrstuvwxyz1234567")),
-    *((f"--label-property is '{name}', which is the name of something else in clouds",
+    *((f"--label-property is '{name}', a name that clouds use for other data",
        f"--output a.ply --label-property {name}")
       for name in ("x", "NX", "normal_x", "Red", "rgb", "scalar_Intensity", "classification", "tolerance", "gps_time")),
     ("--label-property needs --output or --output-directory", "--label-property a"),

@@ -65,13 +65,13 @@ def test_commas_where_blanks_separate(p, row):
     p(1, "comma.pcd: row 7 has '[0-9,.]+' where a number is expected.*with a decimal point", "comma.pcd")
 
 
-PAIRS = "pairs.csv: each row is of integers with commas between them, read as x y z r g b"
+PAIRS = "pairs.csv: each row has integers with commas between them, read as x y z r g b"
 
 
 @table("code, row, pattern", [
-    *((WARNS, row, f'warnings": .*"{PAIRS}[_ ]*: .*warning: {PAIRS}[_ ]*: write numbers with a decimal point if ')
+    *((WARNS, row, f'warnings": .*"{PAIRS}[_ ]*: .*warning: {PAIRS}[_ ]*: if the commas are decimal commas, ')
       for row in ("4,4,17,4,1,1", "1,5,2,5,3,5", "-4,4,-17,4,+1,1", "4,4,17,4,1,1,0,5", "4,4,17,4,1,1,0,0,0,0,1,0")),
-    *((1, row, "pairs.csv: each row is of integers .*, read as x y z r g b with values above 255 of r g b: write")
+    *((1, row, "pairs.csv: each row has integers .*, read as x y z r g b with values above 255 for r g b: if")
       for row in ("5,426,18,369,2,112", "4,4,17,400,1,1"))])  # colors above 255 are none
 def test_integers_with_commas_only(p, code, row, pattern):
     """They may be numbers with decimal commas, or with separators of thousands."""
@@ -84,10 +84,10 @@ RAGGED = "1,5,2,5,3,5\n1,5,2,3,5\n"
 RASTER = "NCOLS 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n"
 test_refused = refused_files([
     ("zero.csv", "1,05,2,5,3,5\n",
-     "row 1 has a number with a leading 0 behind a comma, .*write numbers with a decimal point"),
+     "row 1 has a number with a leading 0 after a comma, .*write numbers with a decimal point"),
     # More values than names, or another number of them in each row
     ("names.csv", "x,y,z\n1,5,2,5,3,5\n",
-     "row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _.", NAMED),
+     "row 2 has more than 3 values .name all its columns by --columns, those to skip by _.", NAMED),
     ("ragged.csv", RAGGED, "row 1 has more than 3 values", NAMED),
     ("ragged.csv", RAGGED, "row 1 has more than 5 values", "--columns 'x _ y z _'"),
     ("ragged.csv", RAGGED, "row 2 has 5 values instead of 6\n"),
@@ -97,13 +97,13 @@ test_refused = refused_files([
     ("word.xyz", BARE + "1 2 three\n", "row 1729 has 'three' where the number z is expected"),
     # With --decimal-comma
     *(("points.txt", f"1;2;3\n{row}\n",
-       "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor", "--decimal-comma")
+       "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, but no point and", "--decimal-comma")
       for row in ("1.234,5;2;3", "1.5;2,5;3", "1 2.25 3", "1.5,2.5,3.5")),
-    ("commas.csv", None, "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
+    ("commas.csv", None, "row 1 .*numbers have no commas.* .or give --decimal-comma."),
     ("commas.txt", None, "row 2 .*or give --decimal-comma.", NAMED),
     # Names and extensions
-    ("strange.csv", None, "row 1 is a line of names that do not tell x, y and z .name the columns by --columns.\n"),
-    ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., and no table"),
+    ("strange.csv", None, "row 1 is a line of names without x, y and z .name the columns by --columns.\n"),
+    ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., not a table"),
     ("cloud.doc", "1 2 3\n", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
 
 
@@ -159,7 +159,7 @@ test_other_tables = cases([
 
 def test_warnings(p):
     p.warns("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so project")
-    p.warns("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001 goes on otherwise")
+    p.warns("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001, so the program skips it")
 
 
 # --- Ends of lines, and none
@@ -177,7 +177,7 @@ def test_carriage_returns(p, kind):
     for name, row in (("cr", "1"), ("row", "[0-9]+ (of 'vertex' )?")):
         p(1, f"{name}.{kind}: row {row} ?ends in a carriage return alone", f"{name}.{kind}")
     if kind != "ply":  # a byte 0, as of UTF-16: the message is whole
-        p(1, f"zero.{kind}: row 21 has a byte 0, which no text has but one of UTF-16", f"zero.{kind}")
+        p(1, f"zero.{kind}: row 21 has a byte 0, as texts in UTF-16 have", f"zero.{kind}")
 
 
 LIMIT = "more than 65536 bytes, the limit of a"

@@ -57,7 +57,7 @@ def test_a_tile_without_points(p):
     assert not p.has("out")
 
 
-IS_INPUT = "--output-directory is the folder of {}. take another folder"
+IS_INPUT = "--output-directory is the folder of {}. name another folder"
 INTO_INPUT = [
     *((f"{place}/last.{kind}", folder) for place, kind in (("folder", "las"), ("link", "pts"))
       for folder in ("folder/sub/..", "./folder/", "link/")),

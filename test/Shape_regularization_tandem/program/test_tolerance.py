@@ -81,7 +81,7 @@ test_options = cases([
     (1, "cloud.pcd: has no field 'error', .* it has x, y, z, other, Sigma\n", "cloud.pcd --tolerance-column error"),
     (1, "named.csv: has no column 'error', .* it has X, Y, Z, sigma\n", "named.csv --tolerance-column error"),
     (1, "named.csv: the column 'z' of --tolerance-column is a coordinate", "named.csv --tolerance-column z"),
-    (1, "bare.xyz: has no line of names, .*--columns names them", "bare.xyz --tolerance-column sigma"),
+    (1, "bare.xyz: has no line of names with .*name the columns by --columns", "bare.xyz --tolerance-column sigma"),
     (2, ": --columns has no 'sigma', which --tolerance-column", "bare.xyz --columns 'x y z _' --tolerance-column sigma"),
     # Noise
     (0, "tolerances  0.00[0-9]* to 0.01[0-9]*, by noise 0.001 . 0.02[*]r\n.*shapes +3 in",
@@ -92,9 +92,9 @@ test_options = cases([
     (0, "; ignored: [0-9]* without a tolerance\n", f"plain.xyz --noise '0.004 - 0.04*r' {BOUND}"),
     # The place of PCD files, if they have one
     (0, "by noise .02r\n", "far.pcd --noise .02r"), (0, "by noise .02r\n", f"origin.pcd --noise .02r {BOUND}"),
-    (1, "origin.pcd: the VIEWPOINT is 0 0 0 1 0 0 0, .*: --noise needs it by --viewpoint X,Y,Z", "origin.pcd --noise r"),
-    (1, "plain.xyz: has no place of the sensor: --noise needs it by --viewpoint X,Y,Z", "far.pcd plain.xyz --noise r"),
-    (2, ": --noise needs the place of the sensor: --viewpoint X,Y,Z .0,0,0 if it is the origin.", "plain.xyz --noise r"),
+    (1, "origin.pcd: the VIEWPOINT is 0 0 0 1 0 0 0, .*; --noise needs that place: pass --viewpoint X,Y,Z", "origin.pcd --noise r"),
+    (1, "plain.xyz: does not tell the place of the sensor; --noise needs that place: pass --viewpoint X,Y,Z", "far.pcd plain.xyz --noise r"),
+    (2, ": --noise needs the place of the sensor: pass --viewpoint X,Y,Z .0,0,0 if it is the origin.", "plain.xyz --noise r"),
     *((2, f": --noise is '{re.escape(text)}', which .*; it must be a sum of numbers and powers of the range r, as in ",
        f"plain.xyz --noise='{text}' {BOUND}") for text in NO_NOISE),
     # One number, or one for each point
@@ -120,7 +120,7 @@ def test_corridor(p):
     """Noise grows with the square of the range; its shapes are its walls and its end."""
     p.write({"corridor.xyz": text_of(corridor(1))})
     p(0, "shapes +5 in 5 planes of 3 directions", "corridor.xyz --noise '0.0028*r^2' --viewpoint 1,2,3")
-    p(0, "estimate +The noise varies from .*\\. Each point has a tolerance of its own.*by auto-local.*shapes +5 in 5 planes",
+    p(0, "estimate +The noise varies from .*[.] Each point has its own tolerance;.*by auto-local.*shapes +5 in 5 planes",
       "corridor.xyz --report t.json")
     assert '"note": "The noise varies' in p.read("t.json")
 
@@ -162,10 +162,10 @@ CLOUDS = [
     # Millimeters and copies on a grid are no rounded coordinates.
     (np.round(1000 * sensor_room(NEAR)), 12, ""), (np.round(np.repeat(sensor_room(NEAR)[:900], 8, axis=0), 2), .015, ""),
     (sensor_room((0, 0, 38)) / (400, 300, .1) + (-71.06, 42.36, 0), .1,
-     "look like degrees of longitude and latitude .*: project .* first, to UTM"),
+     "look like degrees of longitude and latitude .*: first project .* to UTM"),
     # A few points at 0 0 0 far from the others, or many near them
     *((np.concatenate([sensor_room(corner), np.zeros((zeros, 3))]), .02,
-       f"{zeros} points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros" if zeros > least else "")
+       f"{zeros} points are exactly at 0 0 0, like invalid pixels: --ignore-zeros" if zeros > least else "")
       for corner, least in ((FAR, 3), (AROUND, 100)) for zeros in (2, 20, 500))]
 
 

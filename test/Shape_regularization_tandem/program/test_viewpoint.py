@@ -76,7 +76,7 @@ def test_the_same_without_oriented(p, plain, arguments):
 
 def test_no_viewpoint(p, plain):
     assert plain
-    p(WARNS, r"\Adetect_planes: warning: --oriented: no normals are given, and no viewpoint is known[^\n]*\n\Z",
+    p(WARNS, r"\Adetect_planes: warning: --oriented: planes have no outward side, because the input has neither normals nor a viewpoint[^\n]*\n\Z",
       "bare.xyz E --quiet --oriented --planes again.planes")
     assert p.is_same("bare.planes", "again.planes")
     for name in ("short", "nan"):

@@ -32,7 +32,7 @@ def prepare(p):
       "within 0.004"]),
     ("place.xyz --minimum-region-size 3", [ALONE]), ("line.xyz --minimum-region-size 3", [ALONE]),
     ("cube.ply E --minimum-region-size 2000",
-     ["no shape was found: the number of points is 1728, and a shape has at least 2000 .--minimum-region-size"]),
+     ["no shape was found: the number of points is 1728, but a shape has at least 2000 .--minimum-region-size"]),
     # Too little is found
     ("clutter.xyz --maximum-distance 0.001",
      ["only 9[0-9.]* % of the points are in shapes, and 8[0-9.]* % are alone: they are outliers, or --maximum-distance"]),
