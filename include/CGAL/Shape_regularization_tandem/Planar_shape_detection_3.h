@@ -98,9 +98,9 @@ public:
   Planar_shape_detection_3(const Planar_shape_detection_3&) = delete;
   Planar_shape_detection_3& operator=(const Planar_shape_detection_3&) = delete;
 
-  /// calls `iterate()` until nothing grows any more, or the callback that was given to the constructor cancels the
-  /// detection, then `finish()`. Returns `false` after a cancellation. Throws what the callback throws, and
-  /// `std::runtime_error` if a device fails.
+  /// calls `iterate()` until no shape grows or the callback that the constructor got cancels the detection, and in both
+  /// cases `finish()`. Returns `true` if the detection is complete, `false` if it was cancelled: then `shapes()` has
+  /// the shapes found until then. Throws what the callback throws, and `std::runtime_error` if a device fails.
   bool detect()
   {
     while(iterate()) {

@@ -159,9 +159,9 @@ public:
   /// `symmetry_direction` of the detection, up to 1e-15 of its cosine. It is -1 for a detection without that direction.
   int symmetry_group(std::size_t g) const { return data_.symmetry_group[g]; }
 
-  /// returns whether the planes of shapes `s` and `t` have the same normal
+  /// returns whether shapes `s` and `t` are in one parallel group: their normals are exactly equal
   bool are_parallel(std::size_t s, std::size_t t) const { return parallel_group(s) == parallel_group(t); }
-  /// returns whether shapes `s` and `t` have the same plane
+  /// returns whether shapes `s` and `t` are in one coplanar group: their planes are exactly equal
   bool are_coplanar(std::size_t s, std::size_t t) const { return coplanar_group(s) == coplanar_group(t); }
   /// returns whether the planes of shapes `s` and `t` are orthogonal; takes logarithmic time
   bool are_orthogonal(std::size_t s, std::size_t t) const
@@ -170,7 +170,7 @@ public:
     return std::binary_search(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end(), groups);
   }
 
-  /// returns one shape of each coplanar group, by group: shapes that have the distinct planes
+  /// returns the first shape of each coplanar group, by group: one shape for each distinct plane
   std::vector<std::size_t> distinct_planes() const
   {
     const std::vector<int> first = internal::representatives(data_.coplanar_group);

@@ -34,8 +34,8 @@ class Tandem_traits_3 {
 public:
 #ifdef DOXYGEN_RUNNING
   /*!
-  With `Mpi_tag` the communicator is duplicated, so that no message meets one of the caller: all of its processes call
-  the constructor. With other tags there is none.
+  With `Mpi_tag`, the constructor duplicates the communicator, so that messages of the library are not mixed with those
+  of the caller: every process of the communicator must call it. With other tags there is no such argument.
 
   \throw std::logic_error MPI is not initialized
   */

@@ -40,7 +40,7 @@ public:
     : index_(std::make_shared<const std::vector<int>>(std::move(index)))
   {}
 
-  /// returns the index of the plane of a position, or -1
+  /// returns the index of the plane of the point at a position, or -1 if it has none
   friend int get(const Position_index_map& map, std::size_t position) { return (*map.index_)[position]; }
 
 private:
@@ -135,8 +135,8 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief writes the shape of each point, or -1, into the `int` property `name` of the point set, which is added if it is
-not there. CGAL writes the property to files and CGAL Lab shows it. It also serves as `plane_index_map`.
+\brief writes the index of the shape of each point, or -1 if it has none, into the `int` property `name` of the point
+set, which is added if it is not there. CGAL writes the property to files and CGAL Lab shows it.
 
 \param points the points that the shapes were detected in
 \param shapes the shapes

@@ -96,7 +96,7 @@ it runs in parallel. The result is the same for every number of threads.
 \throw std::invalid_argument the number of points is not that of the detection, a point of a shape is not
 finite or farther from its plane than `maximum_distance`; fewer than four planes are
 asked for; the direction is null
-\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+\throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,

@@ -147,10 +147,10 @@ the defaults then
 \throw Parameter_error a parameter is outside of its range, or the extent of the cloud is more than 2^24 times
 `maximum_distance` without few far points: up to one point in twenty that is far from the median on an axis, by a
 quarter of that length, is left out and counted
-\throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
+\throw std::length_error more than 2^31 points in one process, or than the memory of the device holds (`Cuda_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails
-\throw std::range_error the extent of the cloud is more than 2^24 times 1e270
+\throw std::range_error the extent of the cloud is more than 2^24 times 1e270, about 1.7e277
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

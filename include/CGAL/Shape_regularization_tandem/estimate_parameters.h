@@ -31,7 +31,7 @@ The manual has the numbers, and how noise and spacing are measured: \ref Tandem_
 
 Copies of a point count once. Up to a hundredth of the points at each end of each axis do not count if they are far from
 all others. Where given normals are oriented, each of the two sides of a thin wall counts by itself. The estimate is
-computed on the host, whatever the tag.
+always computed on the CPU.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.
@@ -43,7 +43,7 @@ estimate does not depend on the order of the points. All lengths are in the unit
 \return all parameters, given and estimated ones
 
 \throw Parameter_error a parameter is outside of its range
-\throw std::length_error more than 2^31 points (of one process)
+\throw std::length_error more than 2^31 points in one process
 \throw std::range_error `maximum_distance` is not given, and more than one point in twenty is beyond 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
@@ -66,15 +66,16 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief measures the noise of points, from which `estimate_parameters()` estimates `maximum_distance`: a quantile, over
-the surfaces, of the root mean square distance of points to the planes of their neighborhoods. It is 0 where there is no
-surface. The manual has the numbers: \ref Tandem_parameters_estimated.
+\brief measures the noise of points, from which `estimate_parameters()` estimates `maximum_distance`. For each
+neighborhood that lies on a surface, it takes the root mean square distance of the points to a fitted plane; the noise
+is a quantile of these values, or 0 if there is no surface. `distance_of_noise()` makes a `maximum_distance` of it. The
+manual has the numbers: \ref Tandem_parameters_estimated.
 
 \param points a range of points
-\param np the named parameters of `detect_planes()`, of which those for points and normals count
+\param np the named parameters of `detect_planes()`, of which those for points, normals and processes are read
 
 \return the noise, in the units of the points
-\throw std::length_error more than 2^31 points (of one process)
+\throw std::length_error more than 2^31 points in one process
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -89,20 +90,20 @@ double estimate_noise(const PointRange& points, const NamedParameters& np = Name
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief estimates a tolerance for each point: the largest distance to the plane of its shape, where the noise varies over
-the cloud.
+\brief estimates for each point the largest distance that it may have from the plane of its shape. Use it if the noise
+varies over the cloud.
 
 It is the `maximum_distance` that `estimate_parameters()` gives for all points, times the ratio of the noise around the
 point to the noise of the cloud, and it is smooth along the surfaces: \ref Tandem_parameters_estimated. Pass the values
-as `maximum_distance_map` if `Distance_estimate::noise_varies` is true. The estimate does not depend on the order of the
-points. It is computed on the host, whatever the tag.
+as `maximum_distance_map` if `estimate_parameters()` sets `Distance_estimate::noise_varies`. The estimate does not
+depend on the order of the points. It is always computed on the CPU.
 
 \param points a range of points
-\param np the named parameters of `detect_planes()`, of which those for points and normals count
+\param np the named parameters of `detect_planes()`, of which those for points, normals and processes are read
 
 \return a value for each item of the range, in its order, in the units of the points; NaN for points that are ignored
-\throw std::length_error more than 2^31 points (of one process)
-\throw std::range_error the extent of the points is more than 2^24 times 1e270
+\throw std::length_error more than 2^31 points in one process
+\throw std::range_error the extent of the points is more than 2^24 times 1e270, about 1.7e277
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -117,9 +118,9 @@ std::vector<double> estimate_local_distances(const PointRange& points, const Nam
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-returns the `maximum_distance` for points whose noise is known, in the unit of the noise: a fixed multiple of it, which
-`estimate_parameters()` takes as well and \ref Tandem_parameters_estimated tells. No value is refused: 0 gives 0, NaN
-gives NaN.
+returns the `maximum_distance` for points whose noise is known, in the unit of the noise: the noise times a constant,
+which `estimate_parameters()` uses, too; its value is in \ref Tandem_parameters_estimated. No value is refused: 0 gives
+0, NaN gives NaN.
 
 \param noise the standard deviation of the signed distances of points to their plane
 */

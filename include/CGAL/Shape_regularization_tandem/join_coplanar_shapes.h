@@ -37,10 +37,10 @@ inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t 
 \brief makes one shape of all shapes of each coplanar group: a result with one shape for each distinct plane.
 
 Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, so
-`is_valid_result()` returns `false` for the result; all else that `Planar_shapes_3` promises holds.
-`Planar_shapes_3::is_flipped()` is that of the shapes with most of the points; `uncertainty()` is measured again at all
-points, up to rounding in their order. Numbers of shapes and relations are counted again, as the terms of
-`Statistics::score` are, except its links, which remain those of the detection. The other statistics remain right.
+`is_valid_result()` returns `false` for the result; all else that `Planar_shapes_3` promises holds. A joined shape is
+flipped if the shapes with most of its points are. The function computes anew: `uncertainty()`, the numbers of shapes
+and relations, and the terms of `Statistics::score` except its links. All other statistics remain those of the
+detection.
 
 \return the result with one shape for each distinct plane
 \param shapes the result of a detection
@@ -49,7 +49,7 @@ points, up to rounding in their order. Numbers of shapes and relations are count
 
 \throw std::invalid_argument the number of points is not that of the detection, or a point of a shape is not
 finite or farther from its plane than `maximum_distance`
-\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+\throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,

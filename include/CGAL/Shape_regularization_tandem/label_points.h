@@ -126,8 +126,8 @@ a part of its points.
 A point gets the shape with the nearest plane among the shapes that can take it. A shape can take a point
 - within `maximum_distance` of its plane, and
 - with a normal within `maximum_angle` of that of the plane, if there are normals, and
-- if `shape_points` are given, within `reach` of one of the points of the shape. Without them, planes have no
-  end: all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
+  - if `shape_points` are given, within `reach` of one of the points of the shape. Without them, planes are unbounded:
+    all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
 
 If several shapes have the nearest plane, the shape with the nearest of `shape_points` gets the point; without
 `shape_points` the shape of the lowest index does. Each point is judged by itself. So the labels keep only one promise
@@ -135,30 +135,31 @@ of `Planar_shapes_3`: points are within the tolerances, up to rounding. The poin
 may be fewer than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose
 plane is nearer.
 
-The result is the same for every order of the points and for every tag and number of threads. Time is
-linear in the number of points, times that of planes or, with `shape_points`, times that of these within reach.
+The result is the same for every order of the points and for every tag and number of threads. Time grows with the number
+of points times the number of planes or, with `shape_points`, the number of these within `reach`.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
-\param shapes the result of a detection. With `Mpi_tag`, points of other processes are not in `shape_points`.
+\param shapes the result of a detection. Of a result of `Mpi_tag`, `shape_points` has only the points of this process,
+so shapes without points here take none.
 \param points the points to label
 \param np an optional sequence of named parameters, among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map, normal_map}
-    \cgalParamDescription{as in `detect_planes()`, except that without normals they are not estimated}
+    \cgalParamDescription{as in `detect_planes()`, but normals are not estimated: without them, angles do not count}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance, maximum_angle}
     \cgalParamDescription{the tolerances, in the ranges that `detect_planes()` has}
     \cgalParamDefault{those of `shapes.parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance_map}
-    \cgalParamDescription{as in `detect_planes()`: the tolerance of each point, which counts up to `maximum_distance`}
+    \cgalParamDescription{as in `detect_planes()`: the tolerance of each point; larger ones count as `maximum_distance`}
     \cgalParamDefault{`maximum_distance` for all}
   \cgalParamNEnd
   \cgalParamNBegin{shape_points}
     \cgalParamDescription{the range that the shapes were detected in, or `std::cref()` of it, which is not copied. Its
     points are read through `point_map`, or that of the range.}
-    \cgalParamDefault{planes have no end}
+    \cgalParamDefault{planes are unbounded}
   \cgalParamNEnd
   \cgalParamNBegin{reach}
     \cgalParamDescription{the largest distance between a point and the nearest one of `shape_points` of its shape}
@@ -170,8 +171,8 @@ linear in the number of points, times that of planes or, with `shape_points`, ti
 detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
 
 \throw Parameter_error a parameter is outside of its range
-\throw std::invalid_argument the number of `shape_points` is not that of the detection, or one of a shape is not finite
-or farther from its plane than `maximum_distance`; or all are equal and there is no `reach`
+\throw std::invalid_argument the number of `shape_points` is not that of the detection, or one that belongs to a shape
+is not finite or farther from its plane than `maximum_distance`; or all are equal, and `reach` is not given
 \throw std::length_error more than 2^31 points
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,

@@ -69,7 +69,7 @@ public:
   */
   class Frame {
   public:
-    /// returns two of the three coordinates of point `p`: those that the frame has
+    /// returns two of the three coordinates of point `p`, without the one that the frame leaves out
     Point_2 to_2d(const Point_3& p) const
     {
       const std::array<double, 3> position = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -124,9 +124,10 @@ public:
   /// returns the polygons of entry `i`, with positions of their corners in `points()`
   const std::vector<Indexed_polygon>& polygons(std::size_t i) const { return table_.polygons[i]; }
 
-  /// returns the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normal of
-  /// its plane points: for each polygon a constrained Delaunay triangulation in the frame, without further vertices.
-  /// Where `Planar_shapes_3::is_flipped()`, the points were seen from the other side.
+  /// returns the triangles of all polygons of entry `i`, with positions of their corners in `points()`: for each
+  /// polygon a constrained Delaunay triangulation in the frame, without further vertices. They are counterclockwise as
+  /// seen from the side to which the normal of the plane points. If `Planar_shapes_3::is_flipped()`, the points were
+  /// seen from the other side.
   std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t i) const
   {
     std::vector<std::array<std::uint32_t, 3>> result;
@@ -207,7 +208,7 @@ result is the same for every number of threads, and does not depend on the order
 
 \throw std::invalid_argument the points are not those of the detection, nor the projections of these: their number is
 another one, or one of a shape is not finite or farther from its plane than `maximum_distance`
-\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+\throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,

@@ -242,7 +242,7 @@ in the number of points.
 \throw Parameter_error a parameter is outside of its range, or the extent of the points is more than 2^24 times
 `maximum_distance`
 \throw std::length_error more than 2^31 points
-\throw std::range_error the extent of the points is more than 2^24 times 1e270
+\throw std::range_error the extent of the points is more than 2^24 times 1e270, about 1.7e277
 */
 template <class PlaneRange, class PointRange, class NamedParameters>
 Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points, const NamedParameters& np)

@@ -149,8 +149,8 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief returns a result that has only the shapes that fit all given criteria, in their order, as `select_shapes()` with
-their indices.
+\brief returns a result that has only the shapes that fit all given criteria, in their order. The function above makes
+the result, from their indices.
 
 \param shapes the result of a detection
 \param points the range of points that it is of. Only `minimum_area` and `minimum_extent` read it.
@@ -158,9 +158,9 @@ their indices.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{near_direction, orthogonal_direction}
-    \cgalParamDescription{vectors of any length: the normals of the shapes are within `near_angle` of the first one, of
-    either sign, and within `near_angle` of a right angle to the second one. With the vertical, the first selects level
-    planes, the second one walls.}
+    \cgalParamDescription{vectors of any length. Normals are within `near_angle` of `near_direction`, up to their sign,
+    and orthogonal to `orthogonal_direction` up to `near_angle`. With the vertical, `near_direction` selects level
+    planes, and `orthogonal_direction` selects walls.}
     \cgalParamType{`Vector_3` of a kernel}
     \cgalParamDefault{all directions}
   \cgalParamNEnd
@@ -174,8 +174,8 @@ their indices.
     \cgalParamDefault{0: all shapes}
   \cgalParamNEnd
   \cgalParamNBegin{largest}
-    \cgalParamDescription{the number of shapes with most points that are selected of those that fit the other criteria;
-    of shapes of one size, those of lower index}
+    \cgalParamDescription{how many of the shapes that fit the other criteria are selected: those with most points, of
+    equal ones those of lower index}
     \cgalParamDefault{all}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}

@@ -71,7 +71,7 @@ The result is the same for every number of threads.
 
 \throw std::invalid_argument the number of points is not that of the detection; a point of a shape is not
 finite or farther from its plane than `maximum_distance`; the direction is null or not finite
-\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+\throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,

@@ -41,7 +41,7 @@ struct Result_score {
   double freedom = 0; ///< not positive: `regularity` (m + N / 10) for a degree of freedom, N being the points of its
                       ///< largest shape
 
-  /// returns the score: the sum of the five terms, in points
+  /// returns the score, the sum of the five terms, in numbers of points: the larger, the better
   double total() const { return fit + links + size + price + freedom; }
 };
 
