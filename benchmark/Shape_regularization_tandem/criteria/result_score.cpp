@@ -9,6 +9,8 @@
 
 namespace CGAL::Tandem::benchmark {
 
+using internal::Shapes_data;
+
 namespace {
 
 // The labels without points that violate the tolerances.
@@ -63,7 +65,7 @@ void relate(const Scored_cloud& cloud, const std::vector<Plane>& planes, Shapes_
   const Plane_relations relations(planes, extent.diagonal, extent.center);
   data.parallel_group = group(planes.size(), [&](auto s, auto t) { return relations.are_parallel(s, t); });
   data.coplanar_group = group(planes.size(), [&](auto s, auto t) { return relations.are_coplanar(s, t); });
-  const std::vector<int> first = representatives(data.parallel_group);
+  const std::vector<int> first = internal::representatives(data.parallel_group);
   for(std::size_t a = 0; a < first.size(); ++a)
     for(std::size_t b = a + 1; b < first.size(); ++b)
       if(relations.are_orthogonal(std::size_t(first[a]), std::size_t(first[b])))

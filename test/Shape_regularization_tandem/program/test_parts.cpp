@@ -161,7 +161,7 @@ void check_ratio(std::size_t CGAL::Tandem::Statistics::*zeros)
 }
 
 // Another rank has measured .25.
-struct Two_ranks : program::Ranks {
+struct Two_ranks : program::Processes {
   int size() const override { return 2; }
   double largest(double own) const override { return (std::max)(own, -.25); }
 };
