@@ -158,7 +158,7 @@ test_other_tables = cases([
 
 
 def test_warnings(p):
-    p.warns("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so project")
+    p.warns("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so first project")
     p.warns("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001, so the program skips it")
 
 

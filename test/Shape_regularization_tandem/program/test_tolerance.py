@@ -100,7 +100,7 @@ test_options = cases([
     # One number, or one for each point
     *((0, "maximum distance [0-9.e-]* .estimated., angle", f"plain.xyz {auto}") for auto in ("", "--maximum-distance auto")),
     (0, "tolerances .* by auto-local\n.*shapes +3 in", "plain.xyz --maximum-distance auto-local"),
-    (2, ": --maximum-distance is 'local', must be auto, auto-local or a number, with", "plain.xyz --maximum-distance local"),
+    (2, ": --maximum-distance is 'local', must be auto, auto-local or a number; write decimals", "plain.xyz --maximum-distance local"),
     (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
     (2, ": --maximum-distance auto-local and --noise both give ",
      f"cloud.ply --maximum-distance auto-local --noise r {BOUND}"),
