@@ -231,7 +231,7 @@ inline void check_directory(const Options& o)
 inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
 {
   const long long count = value.value_or(smallest);
-  refuse_if(count < smallest || count > largest, "--", name, " is ", count, ", must be in [", smallest, ", ", largest,
+  refuse_if(count < smallest || count > largest, "--", name, " is ", count, ", allowed is [", smallest, ", ", largest,
             "]");
 }
 

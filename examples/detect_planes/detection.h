@@ -91,7 +91,7 @@ inline Tolerance_facts tolerance_facts(const Point_set& points, const Options& o
   const double maximum_distance = shapes.parameters().maximum_distance;
   Tolerance_facts facts;
   facts.source = source_of_tolerances(o);
-  facts.note = o.estimate_note;
+  facts.note = o.estimate_note.empty() ? shapes.statistics().estimate_note : o.estimate_note;
   facts.is_of_each_point = has_tolerance_of_each_point(o);
   facts.smallest = facts.mean = facts.largest = maximum_distance;
   if(!facts.is_of_each_point)
@@ -125,7 +125,7 @@ inline std::size_t count_of(const std::optional<long long>& given, std::size_t o
 }
 
 // What the library says about a parameter, of the option.
-inline Usage_error option_error(const CGAL::Tandem::Parameter_error& e, const Options& o)
+inline std::string option_message(const CGAL::Tandem::Parameter_error& e, const Options& o)
 {
   std::string option = "--" + e.name(), value = e.value();
   std::replace(option.begin(), option.end(), '_', '-');
@@ -134,8 +134,7 @@ inline Usage_error option_error(const CGAL::Tandem::Parameter_error& e, const Op
   for(const auto& [name, given] : counts)
     if(option == name && given)
       value = std::to_string(*given);
-  const bool is_interval = e.range().find_first_of("[(") == 0;
-  return Usage_error(option + " is " + value + (is_interval ? ", must be in " : ", must be ") + e.range());
+  return option + " is " + value + ", allowed is " + e.range();
 }
 
 // What was given, checked. A length or size that is to be estimated is 0.
@@ -164,7 +163,7 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   try {
     CGAL::Tandem::check_parameters(checked);
   } catch(const CGAL::Tandem::Parameter_error& e) {
-    throw option_error(e, o);
+    throw Usage_error(option_message(e, o));
   }
   p.maximum_distance = o.maximum_distance.value_or(o.estimated_distance);
   p.minimum_region_size = count_of(o.minimum_region_size, 0);
@@ -402,7 +401,7 @@ try {
                                    : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
 } catch(const CGAL::Tandem::Parameter_error& e) {
   const Cloud_box own = box_of(points, Processes());
-  throw_error(option_error(e, o).what(), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+  throw_error(option_message(e, o), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
 } // namespace program

@@ -268,9 +268,10 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add(group, "regularity", number_option(o.regularity, "R"),
       "from 0 for planes that follow their points to 10 for as many relations as possible: what a degree of freedom is "
       "worth (default: 0.1)");
-  add(group, "surfel-size", number_option(o.surfel_size, "R"),
-      "edge of the cubes whose points are taken as one while shapes grow, divided by the maximum distance: from 0, for "
-      "each point by itself, to 0.55 (default: 0.55)");
+  add(
+    group, "surfel-size", number_option(o.surfel_size, "R"),
+    "width of the cubes whose points are taken as one while shapes grow, divided by the maximum distance: from 0, for "
+    "each point by itself, to 0.55 (default: 0.55)");
   add(group, "k-neighbors", number_option(o.k_neighbors, "K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
   add(group, "cell-size", number_option(o.cell_size, "N"),
@@ -342,7 +343,7 @@ struct Command_line {
 inline std::string advice_on(const po::error& e, const po::options_description& options)
 {
   if(dynamic_cast<const po::validation_error*>(&e) != nullptr)
-    return ": must be a number; write decimals with a decimal point";
+    return ": must be a number: a whole one for counts, otherwise with a decimal point";
   const auto* unknown = dynamic_cast<const po::unknown_option*>(&e);
   if(unknown == nullptr)
     return {};

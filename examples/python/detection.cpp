@@ -99,10 +99,11 @@ Shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& 
 // A limit on the threads holds for this call only. It does not move to another thread, where signals would not be seen.
 Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& callback)
 {
+  [[maybe_unused]] const long long threads = above_zero("threads", s.threads, 0LL);
 #ifdef CGAL_LINKED_WITH_TBB
-  if(s.threads) {
+  if(threads > 0) {
     const int most = tbb::this_task_arena::max_concurrency();
-    tbb::task_arena arena(*s.threads < most ? int(*s.threads) : most);
+    tbb::task_arena arena(threads < most ? int(threads) : most);
     return arena.execute([&] { return detect_on_backend(cloud, s, callback); });
   }
 #endif

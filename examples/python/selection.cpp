@@ -4,7 +4,7 @@
 #include "detection.h"
 
 #include <CGAL/Shape_regularization_tandem/label_points.h>
-#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection&
                       .largest(s.largest.value_or((std::max)(shapes.number_of_shapes(), std::size_t(1))))
                       .minimum_area(s.minimum_area.value_or(0))
                       .minimum_extent(s.minimum_extent.value_or(0))
-                      .near_angle(s.near_angle.value_or(CGAL::Tandem::internal::default_near_angle));
+                      .near_angle(s.near_angle.value_or(10)); // the default of the library
   if(s.near_direction && s.orthogonal_direction)
     return select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction)));
   if(s.near_direction)

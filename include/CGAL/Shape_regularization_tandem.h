@@ -22,6 +22,7 @@ The detector, and what a result offers without further libraries. Models made of
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 #include <CGAL/Shape_regularization_tandem/tags.h>
 #include <CGAL/Shape_regularization_tandem/version.h>

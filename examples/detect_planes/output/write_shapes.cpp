@@ -8,7 +8,6 @@
 
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
-#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
 namespace program {
@@ -31,7 +30,7 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
   const std::array<double, 3>& upward = shapes.parameters().symmetry_direction;
   const std::array<double, 3>& d = choice.of == Direction_choice::direction ? choice.normal : upward;
   const Kernel::Vector_3 direction(d[0], d[1], d[2]);
-  const auto near = list.near_angle(choice.degrees.value_or(CGAL::Tandem::internal::default_near_angle));
+  const auto near = list.near_angle(choice.degrees.value_or(10)); // the default of the library
   return choice.of == Direction_choice::vertical
            ? CGAL::Tandem::select_shapes(shapes, points, near.orthogonal_direction(direction))
            : CGAL::Tandem::select_shapes(shapes, points, near.near_direction(direction));

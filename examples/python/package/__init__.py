@@ -51,7 +51,7 @@ class PlaneRelations(NamedTuple):
     is_rolled_back: npt.NDArray[np.bool_]  #: (m,): whether a direction is near, but would cost the points too much
     angles: npt.NDArray[np.float64]  #: (m,): the angle by which the function turned each plane, in degrees
     largest_distances: npt.NDArray[np.float64]  #: (m,): largest distance of the points of each plane to that plane
-    maximum_distance: float  #: the distance by which the function measured losses
+    maximum_distance: float  #: the distance by which the function measured costs
 
 
 def detect_planes(
@@ -105,7 +105,7 @@ def detect_planes(
                              and larger shapes. None: 0.04
         regularity           what a degree of freedom is worth, in minimum_region_size, in [0, 10]. Larger: more
                              relations. None: 0.1
-        surfel_size          edge of the cubes whose points are taken as one while shapes grow, divided by
+        surfel_size          width of the cubes whose points are taken as one while shapes grow, divided by
                              maximum_distance, in [0, 0.55]; 0: each point by itself; None: 0.55
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
         cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
@@ -142,8 +142,6 @@ def detect_planes(
          surfel_size=surfel_size)
     _set(settings, _count, minimum_region_size=minimum_region_size, k_neighbors=k_neighbors, cell_size=cell_size,
          threads=threads)
-    if threads is not None and threads < 1:
-        raise ValueError(f"threads is {threads}, allowed is 1 or more")
     settings.backend = _backend(backend)
     _set(settings, _switch, regularize_parallelism=regularize_parallelism,
          regularize_orthogonality=regularize_orthogonality, regularize_coplanarity=regularize_coplanarity)
@@ -205,7 +203,7 @@ def regularize_planes(
         planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0. Masked numbers count as NaN.
         maximum_angle     angle within which planes become parallel or orthogonal, in degrees, in [0, 45); None: 25
         maximum_offset    distance within which parallel planes become coplanar, in units of the points; None: 0.01
-        maximum_distance  distance by which the function measures losses. Larger: more relations. None: 2.5 times the
+        maximum_distance  distance by which the function measures costs. Larger: more relations. None: 2.5 times the
                           root mean square distance of the points to the given planes, at least maximum_offset
         regularity        what a degree of freedom is worth, in numbers of points of the smallest plane, in [0, 10].
                           Larger: more relations. None: 0.1

@@ -176,8 +176,8 @@ private:
     if constexpr(!Ranks::are_many)
       return callback;
     else
-      return [this, callback](double share) {
-        return Ranks(backend_).total(std::size_t(callback && !callback(share))) == 0;
+      return [this, callback](double progress) {
+        return Ranks(backend_).total(std::size_t(callback && !callback(progress))) == 0;
       };
   }
 

@@ -34,7 +34,7 @@ struct Closed_surface_3 {
   /// positions of the corners of each face in `points`, counterclockwise as seen from outside. Faces need not be
   /// convex; a part of a plane with holes is several faces.
   std::vector<std::vector<std::size_t>> faces;
-  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a side of the box of the
+  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a face of the box of the
   /// points
   std::vector<int> plane_of_face;
   /// the number of distinct planes that were considered
@@ -93,9 +93,9 @@ it runs in parallel. The result is the same for every number of threads.
 
 \return the surface, empty if there is none
 
-\throw std::invalid_argument the number of points is not that of the detection, a point of a shape is not
-finite or farther from its plane than `maximum_distance`; fewer than four planes are
-asked for; the direction is null
+\throw Parameter_error fewer than four planes are asked for, or the direction is null or not finite
+\throw std::invalid_argument the number of points is not that of the detection, or a point of a shape is not finite or
+farther from its plane than `maximum_distance`
 \throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -106,7 +106,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   const auto coordinates = internal::checked_coordinates(shapes, points, np);
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
-    throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
+    internal::throw_out_of_range("maximum_number_of_planes", most, "at least 4");
   const internal::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
   auto table = internal::surface::surface_table(coordinates, shapes.data(), std::size_t(most), up);

@@ -87,7 +87,7 @@ the defaults then
     \cgalParamDefault{0.1}
   \cgalParamNEnd
   \cgalParamNBegin{surfel_size}
-    \cgalParamDescription{the edge of the cells whose points are one surfel while shapes grow, as a fraction of
+    \cgalParamDescription{the width of the cubes whose points are one surfel while shapes grow, as a fraction of
     `maximum_distance`, in [0, 0.55]; 0: each point is a surfel. Points are checked one by one in any case}
     \cgalParamDefault{0.55}
   \cgalParamNEnd
@@ -148,6 +148,7 @@ the defaults then
 `maximum_distance` without few far points: up to one point in twenty that is far from the median on an axis, by a
 quarter of that length, is left out and counted
 \throw std::length_error more than 2^31 points in one process, or than the memory of the device holds (`Cuda_tag`)
+\throw std::invalid_argument processes have different parameters or maps (`Mpi_tag`)
 \throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails
 \throw std::range_error the extent of the cloud is more than 2^24 times 1e270, about 1.7e277

@@ -76,6 +76,8 @@ manual has the numbers: \ref Tandem_parameters_estimated.
 
 \return the noise, in the units of the points
 \throw std::length_error more than 2^31 points in one process
+\throw std::logic_error MPI is not initialized (`Mpi_tag`)
+\throw std::range_error the extent of the points is more than 2^24 times 1e270, about 1.7e277
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

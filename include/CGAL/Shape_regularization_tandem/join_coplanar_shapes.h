@@ -18,7 +18,7 @@ namespace CGAL::Tandem {
 namespace internal {
 
 // By plane, whether most points are of shapes that are flipped.
-inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t planes)
+inline std::vector<char> are_mostly_flipped(const Shapes_data& data, std::size_t planes)
 {
   std::vector<std::ptrdiff_t> flipped(planes, 0);
   for(std::size_t s = 0; s < data.size.size(); ++s)
@@ -58,7 +58,7 @@ Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTrait
   const auto coordinates = internal::checked_coordinates(shapes, points, np);
   const internal::Shapes_data& of_shapes = shapes.data();
   internal::Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
-  data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());
+  data.is_flipped = internal::are_mostly_flipped(of_shapes, data.size.size());
   const Planar_shapes_3<GeomTraits> joined(data);
   const auto position = [&](std::size_t i) {
     return internal::Vector{coordinates[i][0], coordinates[i][1], coordinates[i][2]};

@@ -60,8 +60,9 @@ struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on_ranks<Parallel_host> {
 
 calls `f()` on all processes of a communicator. Use it for work that may fail on some of them only, such as reading
 files. If `f()` throws on some processes, all processes throw the exception of the first of these. On the others,
-exceptions of the standard library and `Parameter_error` keep their type, and other ones become `std::runtime_error`.
-`detect_planes()` with `Mpi_tag` does the same.
+`Parameter_error`, `std::invalid_argument`, `std::length_error`, `std::range_error`, `std::logic_error` and
+`std::bad_alloc` keep their type, and other ones become `std::runtime_error`. `detect_planes()` with `Mpi_tag` does the
+same.
 
 \return what `f` returns
 */

@@ -218,7 +218,7 @@ in the number of points.
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the distance that losses are measured by: the larger, the more relations}
+    \cgalParamDescription{the distance that costs are measured by: the larger, the more relations}
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd

@@ -119,7 +119,7 @@ In the statistics, points without a shape count as `Free_points::clutter`, and t
 
 \return the shapes as a `Planar_shapes_3` of the kernel of the points
 
-\throw Parameter_error a parameter is outside of its range
+\throw Parameter_error as `detect_planes()`
 \throw std::invalid_argument the normal of a plane is null or not finite, or its distance from the origin is not finite
 \throw std::length_error more than 2^31 points
 \throw std::range_error as `detect_planes()`

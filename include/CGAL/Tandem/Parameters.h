@@ -44,7 +44,7 @@ struct Parameters {
   /// what a degree of freedom is worth, in minimum sizes, in [0, 10]: from planes that follow their points to many
   /// relations
   double regularity = .1;
-  /// edge of the cells whose points are one surfel while shapes grow, as a fraction of `maximum_distance`, in [0,
+  /// width of the cubes whose points are one surfel while shapes grow, as a fraction of `maximum_distance`, in [0,
   /// 0.55]; 0: each point is a surfel
   double surfel_size = .55;
   /// number of neighbors of a point (k), in [3, 64]
@@ -224,18 +224,19 @@ inline void check_count(const Count_range& range, std::size_t value)
     throw_out_of_range(range.name, value, to_text(range));
 }
 
-inline void check_direction(const std::string& name, const std::array<double, 3>& d)
+// `place`: which one of several it is, or nothing.
+inline void check_direction(const char* name, const std::array<double, 3>& d, const std::string& place = "")
 {
   const bool is_finite = std::isfinite(d[0]) && std::isfinite(d[1]) && std::isfinite(d[2]);
   if(!is_finite || (d[0] == 0 && d[1] == 0 && d[2] == 0))
-    throw_out_of_range(name.c_str(), "(" + to_text(d[0]) + ", " + to_text(d[1]) + ", " + to_text(d[2]) + ")",
+    throw_out_of_range(name, "(" + to_text(d[0]) + ", " + to_text(d[1]) + ", " + to_text(d[2]) + ")" + place,
                        "a finite vector that is not null");
 }
 
 inline void check_directions(const Parameters& p)
 {
   for(std::size_t i = 0; i < p.fixed_directions.size(); ++i)
-    check_direction("fixed_directions[" + to_text(i) + "]", p.fixed_directions[i]);
+    check_direction("fixed_directions", p.fixed_directions[i], " at index " + to_text(i));
   if(p.regularize_axis_symmetry)
     check_direction("symmetry_direction", p.symmetry_direction);
 }
@@ -246,15 +247,15 @@ inline std::string cosine_note(const char* name, double degrees, double largest)
   const double meant = std::acos(degrees) * (180 / std::acos(-1.)); // NaN above 1
   if(!(degrees > 0 && meant >= smallest_angle_deg && meant < largest))
     return {};
-  return std::string(name) + " is " + to_text(degrees) + " degrees: if that was meant as a cosine, pass " +
+  return std::string("the ") + name + " is " + to_text(degrees) + " degrees: if that was meant as a cosine, pass " +
          to_text(std::round(10 * meant) / 10);
 }
 
 // Those of all angles.
 inline std::string angle_note(const Parameters& p)
 {
-  const std::string of_normals = cosine_note("maximum_angle", p.maximum_angle, 90);
-  const std::string of_planes = cosine_note("angle_tolerance", p.angle_tolerance, 45);
+  const std::string of_normals = cosine_note("maximum angle", p.maximum_angle, 90);
+  const std::string of_planes = cosine_note("angle tolerance", p.angle_tolerance, 45);
   return of_normals + (of_normals.empty() || of_planes.empty() ? "" : "; ") + of_planes;
 }
 

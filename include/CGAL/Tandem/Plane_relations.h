@@ -34,7 +34,7 @@ struct Plane_relations {
   std::vector<bool> is_rolled_back;
   std::vector<double> angle;            ///< for each plane, how far it was turned, in degrees
   std::vector<double> largest_distance; ///< for each plane, the largest distance of its points to it
-  double maximum_distance = 0;          ///< the distance that prices were measured by
+  double maximum_distance = 0;          ///< the distance that costs were measured by
 
   /// the number of distinct directions
   std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }

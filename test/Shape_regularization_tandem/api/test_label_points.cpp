@@ -9,7 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
-#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 
 #include <boost/property_map/function_property_map.hpp>

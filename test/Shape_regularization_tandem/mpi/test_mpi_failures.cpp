@@ -184,6 +184,9 @@ void test_maps(const Ranks& ranks, int)
   };
   check("runtime_error: lost", [] { throw std::runtime_error("lost"); });
   check("invalid_argument: lost", [] { throw std::invalid_argument("lost"); });
+  check("range_error: lost", [] { throw std::range_error("lost"); });
+  check("length_error: lost", [] { throw std::length_error("lost"); });
+  check("logic_error: lost", [] { throw std::logic_error("lost"); });
   check("bad_alloc", [] { throw std::bad_alloc(); });
 }
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The contract of detect_planes: outputs, exit codes, and one line on standard error for whatever goes wrong."""
 
+import pathlib
 import re
 
 import numpy as np
@@ -77,7 +78,7 @@ test_runs = cases([
     ("usage: detect_planes INPUT.*--maximum-distance.*default.*--report", "--help all"),
     ("files +o.ply, o.txt, one for each input in a folder\n", "cube.ply E -o o.ply --planes o.txt "
      "--output-directory 'a folder'"),
-    ("free +66.7 %: 66.7 % of shapes that were not selected\n +of shapes that were not selected: the options of the "
+    ("free +66.7 %: 66.7 % in shapes that were not selected\n +in shapes that were not selected: the options of the "
      "selection leave them out\n", "cube.ply E --largest 1")], 0)
 
 
@@ -88,6 +89,15 @@ def test_help_fits_a_screen(p):
     names = re.findall("--[a-z-]+ ", text)
     assert len(lines) <= 24 and max(map(len, lines)) <= 100 and len(names) > 10
     assert all(name in HELP for name in names) and p(0, "usage", "--help") == text
+
+
+def test_help_of_the_manual(p):
+    """Lines that are not there in every build aside, the manual has the help of this program."""
+    kept = pathlib.Path(__file__).parents[3] / "doc/Shape_regularization_tandem/tables/help.out"
+    optional = re.compile("mpirun|machines|[.]laz|cuda|LASzip")
+    text, lines = p(0, "usage", "--help all"), kept.read_text().splitlines()
+    assert not [line for line in text.splitlines() if line not in lines and not optional.search(line)], \
+        f"detect_planes --help all > {kept}"
 
 
 @table("offer, arguments", [("--view FILE", "--view v.html"), ("--mesh FILE", "--mesh m.off"), (".laz", "--output l.laz"),

@@ -202,7 +202,7 @@ def test_units(p, exponent):
 test_bad_usage = cases([
     ("crs needs --polygons with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
-    *((f"mesh-planes is {n}, must be in .4, 1000.", f"missing.ply --mesh m.off --mesh-planes {n}") for n in (3, 1001)),
+    *((f"mesh-planes is {n}, allowed is .4, 1000.", f"missing.ply --mesh m.off --mesh-planes {n}") for n in (3, 1001)),
     ("mesh is 'm.stl', must end in .off, .obj or .ply", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
 
 

@@ -95,7 +95,7 @@ test_wrong_files = refused_files([
      "has 'tristrips' without the corners of single faces; --sample 0 uses", "--sample 9"),
     ("box.ply", None, "has faces: the points .* have no 'classification', which --classes needs", "--sample 9 --classes 1"),
     ("both.ply", None, "has no property 'error', which --tolerance-column names; it has X", "--tolerance-column error")])
-test_wrong_options = cases([("sample is -1, must be in .0, 1000000000.", "box.ply --sample -1"),
+test_wrong_options = cases([("sample is -1, allowed is .0, 1000000000.", "box.ply --sample -1"),
                             ("sample is for meshes", "plain.xyz --sample 9")], 2)
 
 

@@ -90,7 +90,7 @@ def test_nothing_is_left(p):
 
 
 test_bad_usage = cases([(pattern, f"{PARTS} {arguments}") for pattern, arguments in (
-    *((f"--largest is {value}, must be in .1, 2147483648.", f"--largest {value}") for value in (0, -1, 99999999999)),
+    *((f"--largest is {value}, allowed is .1, 2147483648.", f"--largest {value}") for value in (0, -1, 99999999999)),
     *((f"--minimum-{name} is .*, must be positive", f"--minimum-{name} {value}") for name in ("area", "extent")
       for value in (0, -2, "nan", 1e300)),
     ("--minimum-area", "--minimum-area wide"),

@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(equal_directions)
   p.fixed_directions = {{1, 2, 3}, {-.1, -.2, -.3}, {1, 2, 3 + 1e-12}, {1, 0, 1e-10}, {-1, 0, 1e-10}, {1, 2, 3 + 1e-7}};
   p.regularize_axis_symmetry = true;
   p.symmetry_direction = {.3, .6, .9 + 1e-10};
-  const auto options = CGAL::Tandem::internal::make_regularity_options(p, 0, 1, 100);
+  const auto options = CGAL::Tandem::internal::make_regularity_parameters(p, 0, 1, 100);
   const std::vector<Vector>& fixed = options.fixed_directions;
   check_equal(fixed.size(), std::size_t(3), "different directions");
   for(std::size_t kept : {0, 3, 5})

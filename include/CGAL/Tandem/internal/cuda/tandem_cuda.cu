@@ -72,7 +72,7 @@ std::string missing_for_cuda()
 }
 
 // For Cuda_tag; Cuda_if_available_tag catches the exception and computes on the host.
-void require_device()
+void check_device()
 {
   const std::string missing = missing_for_cuda();
   if(!missing.empty())
@@ -94,7 +94,7 @@ bool fits_on_device(Import& in, const Parameters& parameters)
 }
 
 // Checked before the first round, so that a cloud that is too large fails early, and with a number.
-void require_memory(Import& in, const Parameters& parameters)
+void check_memory(Import& in, const Parameters& parameters)
 {
   if(!fits_on_device(in, parameters))
     throw std::length_error("the cloud has " + to_text(in.size()) + " points, the CUDA device has memory for " +
@@ -137,8 +137,8 @@ std::shared_ptr<Uploaded_values> Cuda_upload::finish()
 
 std::unique_ptr<Detection_engine> make_cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
 {
-  require_device();
-  require_memory(in, parameters);
+  check_device();
+  check_memory(in, parameters);
   auto engine =
     std::make_unique<Engine_on_device>([&] { return std::make_unique<Cuda_engine>(in, parameters, progress); });
   in.coordinates.keep_pages();

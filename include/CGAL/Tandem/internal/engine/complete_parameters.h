@@ -68,11 +68,11 @@ inline Distance_estimate describe_compromise(const Cloud_measure& m)
   if(has_noise(m) && m.exact > compromise_ratio)
     return {percent(m.exact) +
             " of the points lie exactly on planes with their nearest neighbors, but not with more of "
-            "them: coordinates are in steps, which the estimated maximum_distance is meant to cover."};
+            "them: coordinates are in steps, which the estimated maximum distance is meant to cover."};
   if(m.sheets > compromise_ratio)
     return {percent(m.sheets) +
             " of the surfaces have a second one close to them, and the estimate keeps the two apart: "
-            "if they are one, as in scans that do not match, give a larger maximum_distance."};
+            "if they are one, as in scans that do not match, give a larger maximum distance."};
   if(has_noise(m) && m.varies)
     return {"The noise varies from " + to_text(m.low_noise) + " to " + to_text(m.high_noise) + " over the cloud.",
             true};

@@ -37,7 +37,7 @@ inline double distance_margin_steps(const Grid& grid)
 
 // How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells, and
 // by the smallest size of a shape.
-inline Growth_parameters make_growth_options(const Parameters& p, const Tolerance& tolerance)
+inline Growth_parameters make_growth_parameters(const Parameters& p, const Tolerance& tolerance)
 {
   using namespace tuning::growth;
   const std::size_t core_size = (std::min)({(std::max)(p.k_neighbors / neighbors_per_core_point + 1, std::size_t(3)),
@@ -67,11 +67,11 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
   o.minimum_fragment_size =
     (std::min)(o.minimum_region_size,
                (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_ratio.of(o.minimum_region_size)));
-  o.growth = make_growth_options(p, make_tolerance(o.maximum_distance_steps, cosine));
+  o.growth = make_growth_parameters(p, make_tolerance(o.maximum_distance_steps, cosine));
   o.tight = make_tolerance(o.maximum_distance_steps * tuning::growth::tight_distance_fraction,
                            cosine_deg(p.maximum_angle * tuning::growth::tight_angle_fraction));
   o.score = Score(p);
-  o.regularity = make_regularity_options(p, p.angle_tolerance, step, double(p.minimum_region_size));
+  o.regularity = make_regularity_parameters(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_steps = (std::max)(o.maximum_distance_steps - distance_margin_steps(in.grid), -1.);

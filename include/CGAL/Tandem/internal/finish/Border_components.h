@@ -33,30 +33,30 @@ public:
   explicit Surfel_sets(const std::vector<Edge>& edges)
   {
     for(const Edge& e : edges) {
-      point_.push_back(e.a);
-      point_.push_back(e.b);
+      surfel_.push_back(e.a);
+      surfel_.push_back(e.b);
     }
-    std::sort(point_.begin(), point_.end());
-    point_.erase(std::unique(point_.begin(), point_.end()), point_.end());
-    for(std::size_t i = 0; i < point_.size(); ++i)
+    std::sort(surfel_.begin(), surfel_.end());
+    surfel_.erase(std::unique(surfel_.begin(), surfel_.end()), surfel_.end());
+    for(std::size_t i = 0; i < surfel_.size(); ++i)
       parent_.push_back(std::uint32_t(i));
     for(const Edge& e : edges)
       sets().unite(place(e.a), place(e.b));
   }
 
-  std::size_t size() const { return point_.size(); }
-  std::uint64_t point(std::size_t i) const { return point_[i]; }
-  std::uint64_t root_surfel(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
+  std::size_t size() const { return surfel_.size(); }
+  std::uint64_t surfel(std::size_t i) const { return surfel_[i]; }
+  std::uint64_t root_surfel(std::size_t i) { return surfel_[sets().root(std::uint32_t(i))]; }
 
 private:
-  std::uint32_t place(std::uint64_t point) const
+  std::uint32_t place(std::uint64_t surfel) const
   {
-    return std::uint32_t(std::lower_bound(point_.begin(), point_.end(), point) - point_.begin());
+    return std::uint32_t(std::lower_bound(surfel_.begin(), surfel_.end(), surfel) - surfel_.begin());
   }
 
   Union_find<Shared_parents<Sequential_backend>> sets() { return {{parent_.data()}}; }
 
-  std::vector<std::uint64_t> point_; // ascending
+  std::vector<std::uint64_t> surfel_; // ascending
   std::vector<std::uint32_t> parent_;
 };
 
@@ -192,8 +192,8 @@ private:
   {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> roots; // global root, and a root of this rank
     for(std::size_t i = 0; i < sets.size(); ++i) {
-      const std::uint32_t index = std::uint32_t(sets.point(i));
-      if(is_own(sets.point(i)) && component[index] == index)
+      const std::uint32_t index = std::uint32_t(sets.surfel(i));
+      if(is_own(sets.surfel(i)) && component[index] == index)
         roots.emplace_back(sets.root_surfel(i), index);
     }
     std::sort(roots.begin(), roots.end());

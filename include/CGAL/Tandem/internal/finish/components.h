@@ -261,7 +261,7 @@ Border_components<Backend> find_components(Labeled_cloud<Backend>& points, std::
   // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(
-    cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.point.data(), component});
+    cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.surfel.data(), component});
   backend.for_each(points.cloud.size_with_ghosts(), Find_root<Backend>{component});
   Border_components<Backend> borders(backend, points.ranks);
   borders.find(adjacency.cloud, label, component);

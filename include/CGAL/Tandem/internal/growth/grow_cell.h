@@ -88,7 +88,7 @@ class Cell_growth {
 
 public:
   CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Growth_input& in)
-    : block_(block), s_(scratch), job_(in.job), cloud_(in.cloud), shapes_(in.shapes), options_(in.options),
+    : block_(block), s_(scratch), job_(in.job), cloud_(in.cloud), shapes_(in.shapes), parameters_(in.options),
       label_(in.labels.label), state_(in.labels.state)
   {}
 
@@ -202,7 +202,8 @@ private:
       return;
     const std::uint32_t claim = first_mark | s;
     const std::uint32_t old = label_[q];
-    if(old < first_mark || old <= claim || old == locked_label || !cloud_.fits(shapes_.plane[s], q, options_.tolerance))
+    if(old < first_mark || old <= claim || old == locked_label ||
+       !cloud_.fits(shapes_.plane[s], q, parameters_.tolerance))
       return;
     if(block_.fetch_min(label_[q], claim) == free_label)
       push(q);
@@ -214,7 +215,7 @@ private:
   CGAL_TANDEM_HD void list_active()
   {
     std::uint32_t next = 0;
-    for(int count = 0; count < options_.seeds_in_flight; ++count) {
+    for(int count = 0; count < parameters_.seeds_in_flight; ++count) {
       const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
         const std::uint32_t label = label_[queued(place)];
         return label < next || shapes_.is_restarted[label] ? no_index : label;
@@ -234,8 +235,8 @@ private:
   {
     const std::uint32_t first = s_.tail;
     std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
-    int room = options_.seeds_in_flight - int(s_.active_count);
-    int tries = options_.seed_tries;
+    int room = parameters_.seeds_in_flight - int(s_.active_count);
+    int tries = parameters_.seed_tries;
     while(room > 0 && tries > 0) {
       const std::uint32_t size = try_candidates(at);
       std::uint32_t next = 0;
@@ -282,7 +283,7 @@ private:
     if(!is_untried(i))
       return false;
     for(std::uint32_t a = 0; a < s_.active_count; ++a)
-      if(cloud_.fits(shapes_.plane[s_.active[a]], i, options_.tolerance))
+      if(cloud_.fits(shapes_.plane[s_.active[a]], i, parameters_.tolerance))
         return false; // a shape that is still growing here may reach it
     return true;
   }
@@ -306,7 +307,7 @@ private:
     });
     block_.for_each(size, [&](std::uint32_t i) {
       Trial& trial = s_.trial[i];
-      if(trial.sums.count < std::int64_t(options_.core_size))
+      if(trial.sums.count < std::int64_t(parameters_.core_size))
         return;
       const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
       trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
@@ -320,8 +321,8 @@ private:
 
   CGAL_TANDEM_HD bool has_core(const Trial& trial) const
   {
-    return trial.count >= options_.core_size ||
-           (trial.count >= 3 && std::int64_t(trial.points) >= options_.core_points);
+    return trial.count >= parameters_.core_size ||
+           (trial.count >= 3 && std::int64_t(trial.points) >= parameters_.core_points);
   }
 
   // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken surfels of
@@ -332,7 +333,7 @@ private:
     block_.for_each((last - first) * width, [&](std::uint32_t at) {
       Trial& trial = s_.trial[first + at / width];
       const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
-      if(j == 0 && (label_[q] != free_label || cloud_.fits(shapes_.plane[shape], q, options_.tolerance)))
+      if(j == 0 && (label_[q] != free_label || cloud_.fits(shapes_.plane[shape], q, parameters_.tolerance)))
         trial.is_candidate = false;
       if(is_own(q) && label_[q] == shape)
         block_.append(trial.taken);
@@ -364,7 +365,7 @@ private:
   // change at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
-    return is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, options_.tolerance);
+    return is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, parameters_.tolerance);
   }
 
   // Starts a shape: its core takes the label. The shape grows by one step in this pass: its plane is still uncertain.
@@ -390,7 +391,7 @@ private:
   const Cell_job job_;
   const Cloud_view cloud_;
   const Shapes_view shapes_;
-  const Growth_parameters options_;
+  const Growth_parameters parameters_;
   std::uint32_t* label_;
   std::uint8_t* state_;
 };

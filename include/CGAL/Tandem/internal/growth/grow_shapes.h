@@ -72,11 +72,11 @@ void find_border(Labeled_cloud<Backend>& points)
   const std::size_t cells = points.number_of_cells();
   Buffer_of<Backend, std::uint8_t> mark(points.cloud.number_of_surfels());
   backend.template for_each_cell<No_scratch>(cells, Mark_border{points.cloud.view(), points.cells.data(), mark.data()});
-  border.point = backend.compact(points.cloud.number_of_surfels(), Is_marked{mark.data()});
+  border.surfel = backend.compact(points.cloud.number_of_surfels(), Is_marked{mark.data()});
   border.range.reset(cells);
-  backend.for_each(cells, Find_cell_borders{points.cells.data(), border.point.data(),
-                                            std::uint32_t(border.point.size()), border.range.data()});
-  border.proposal.reset(border.point.size());
+  backend.for_each(cells, Find_cell_borders{points.cells.data(), border.surfel.data(),
+                                            std::uint32_t(border.surfel.size()), border.range.data()});
+  border.proposal.reset(border.surfel.size());
 }
 
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
@@ -141,7 +141,7 @@ struct Grow_cells {
     const Range border = tables.border.range[c];
     const Cell_job job = {
       tables.cells[c],
-      tables.border.point + border.first,
+      tables.border.surfel + border.first,
       tables.border.proposal + border.first,
       border.size(),
       tables.seeds.seed + tables.cells[c].first,
@@ -190,7 +190,7 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
   backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
                                         shapes.size, view, is_restarted.data()});
-  backend.for_each(border.point.size(), Propose{cloud, points.label(), plane.data(), border.point.data(),
+  backend.for_each(border.surfel.size(), Propose{cloud, points.label(), plane.data(), border.surfel.data(),
                                                 border.proposal.data(), options.tolerance});
   const Cell_tables tables = {points.listed_cells(), border.view(), seeds.view()};
   const Labels_view labels = points.change_labels(false);

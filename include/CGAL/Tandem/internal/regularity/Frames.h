@@ -26,7 +26,7 @@ namespace CGAL::Tandem::internal {
 struct Star_candidate {
   Vector rounded; // its fit, on the grid of the Gauss map
   double sine;    // of the largest angle to a right angle
-  double reach;   // the same, as far as the group can bear it; at most the sine
+  double reach;   // the same, as far as its cost is at most its price; at most the sine
   int group;
 };
 
@@ -164,7 +164,7 @@ private:
 
   bool is_cheap(const Direction_group& g, const Vector& n) const { return g.cost(n) <= options.price(g.largest); }
 
-  // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle.
+  // Whether a group is nearly orthogonal to the master, and the right angle costs at most the price for at least one of them.
   bool is_follower(const Star_candidate& master, const Star_candidate& follower) const
   {
     if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))

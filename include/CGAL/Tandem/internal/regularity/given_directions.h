@@ -53,8 +53,8 @@ inline Vector symmetry_axis(const Parameters& p)
 }
 
 // step: of the grid. minimum_size: of a shape, in points. The axis of symmetry is a fixed direction, too.
-inline Regularity_parameters make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step,
-                                                     double minimum_size)
+inline Regularity_parameters make_regularity_parameters(const Parameters& p, double angle_tolerance_deg, double step,
+                                                        double minimum_size)
 {
   Regularity_parameters options;
   options.angle_tolerance_deg = angle_tolerance_deg;

@@ -32,7 +32,7 @@ class Coplanar_groups {
 public:
   // direction: by shape, the number of the direction that it shares; -1 if none.
   Coplanar_groups(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_parameters& options)
-    : shapes_(shapes), direction_(direction), options_(options)
+    : shapes_(shapes), direction_(direction), parameters_(options)
   {}
 
   // plane: by shape, that through its centroid; it gets the offset of its group. group_of: by shape; set for members of
@@ -81,18 +81,18 @@ private:
   bool can_move(int shape, double distance) const
   {
     const Scatter& s = shapes_[std::size_t(shape)].scatter;
-    return std::fabs(distance) <= options_.maximum_offset_steps &&
-           s.weight() * (distance * distance) <= options_.price(s.count);
+    return std::fabs(distance) <= parameters_.maximum_offset_steps &&
+           s.weight() * (distance * distance) <= parameters_.price(s.count);
   }
 
   // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth nothing.
   double gain(const Group& a, const Group& b) const
   {
     const double d = b.offset - a.offset;
-    if(a.direction != b.direction || !(d <= options_.maximum_offset_steps))
+    if(a.direction != b.direction || !(d <= parameters_.maximum_offset_steps))
       return -1;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
-    return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
+    return std::fma(-weight, d * d, parameters_.price((std::min)(a.largest, b.largest)));
   }
 
   // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
@@ -121,7 +121,7 @@ private:
 
   const Shape_fits& shapes_;
   const std::vector<int>& direction_;
-  const Regularity_parameters& options_;
+  const Regularity_parameters& parameters_;
 };
 
 // --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
@@ -132,20 +132,20 @@ private:
 class Parallel_groups {
 public:
   Parallel_groups(const Shape_fits& shapes, const Regularity_parameters& options)
-    : shapes_(shapes), options_(options), sine_(sine_deg(options.angle_tolerance_deg))
+    : shapes_(shapes), parameters_(options), sine_(sine_deg(options.angle_tolerance_deg))
   {}
 
   // Groups of these shapes, also of one shape, all fitted; those of given directions come first and may be empty.
   std::vector<Direction_group> operator()(const std::vector<int>& active) const
   {
     std::vector<Direction_group> groups;
-    for(const Vector& d : options_.fixed_directions)
+    for(const Vector& d : parameters_.fixed_directions)
       groups.push_back(given_direction_group(d, sine_));
     for(int i : active)
       groups.push_back(direction_group({i}, sine_));
     for(Direction_group& g : groups)
       g.fit(shapes_);
-    while(options_.parallelism && sine_ > tuning::directions::minimum_sine && unite(groups))
+    while(parameters_.parallelism && sine_ > tuning::directions::minimum_sine && unite(groups))
       ;
     return groups;
   }
@@ -185,7 +185,7 @@ private:
   int best_leader(const std::vector<Direction_group>& groups, std::size_t g, const Great_circle_index& index,
                   const std::vector<int>& leader) const
   {
-    const double largest = groups[g].largest, most = options_.direction_price(largest);
+    const double largest = groups[g].largest, most = parameters_.direction_price(largest);
     const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].admissible_sine(most));
     std::pair<double, int> best(0, 1); // the gain, then -number in the index
     index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
@@ -199,11 +199,11 @@ private:
   // What it is worth to have the direction of another group. That of a given one is there anyway.
   double saved(double largest, const Direction_group& other) const
   {
-    return options_.direction_price(other.is_given ? largest : (std::min)(largest, other.largest));
+    return parameters_.direction_price(other.is_given ? largest : (std::min)(largest, other.largest));
   }
 
   const Shape_fits& shapes_;
-  const Regularity_parameters& options_;
+  const Regularity_parameters& parameters_;
   double sine_; // of the angle within which shapes may be parallel
 };
 

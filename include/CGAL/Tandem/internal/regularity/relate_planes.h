@@ -186,7 +186,7 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   p.maximum_offset = bounded_by_extent(p.maximum_offset, in);
   put_on_grid(backend, in, p.maximum_distance);
   const Input_planes given = input_planes(in, plane_of, planes);
-  const auto options = make_regularity_options(p, p.maximum_angle, in.grid.step, given.smallest_size());
+  const auto options = make_regularity_parameters(p, p.maximum_angle, in.grid.step, given.smallest_size());
   const Relations r = regularize(given.fits, given.is_excluded, options);
   const std::vector<char> is_unrelated = find_unrelated(r, given.fits);
   const std::vector<Coefficients> old = planes;

@@ -101,7 +101,7 @@ class Shape_extractor {
 public:
   Shape_extractor(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Stage_parameters& options,
                   const Shape_relations& relations, const Import& in)
-    : points_(points), backend_(points.backend), shapes_(shapes), options_(options), relations_(relations), in_(in),
+    : points_(points), backend_(points.backend), shapes_(shapes), parameters_(options), relations_(relations), in_(in),
       label_(points.cloud.size_with_ghosts())
   {}
 
@@ -109,7 +109,7 @@ public:
   {
     take_entries();
     check_points();
-    label_free_surfels(points_, {plane_.data(), options_.certain}, label_, point_label_);
+    label_free_surfels(points_, {plane_.data(), parameters_.certain}, label_, point_label_);
     drop_clutter_shapes();
     Engine_result result;
     name_shapes(result);
@@ -128,7 +128,7 @@ private:
     is_low_noise_.reset(id.size());
     backend_.for_each(
       id.size(),
-      Mark_low_noise{shapes_.table().data(), id.data(), options_.maximum_distance_steps, is_low_noise_.data()},
+      Mark_low_noise{shapes_.table().data(), id.data(), parameters_.maximum_distance_steps, is_low_noise_.data()},
       shapes_per_thread);
   }
 
@@ -144,10 +144,10 @@ private:
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    spread_labels(points_, label_.data(), {plane_.data(), options_.possible}, in_.has_normals, point_label_);
+    spread_labels(points_, label_.data(), {plane_.data(), parameters_.possible}, in_.has_normals, point_label_);
     std::uint32_t* const checked = point_label_.size() > 0 ? point_label_.data() : label_.data();
     check_exactly(backend_, {points_.cloud.surfels(), order(), checked, points_.cloud.number_of_points()},
-                  plane_.data(), options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
+                  plane_.data(), parameters_.certain, Check_exactly{caller, coefficients_.data(), parameters_.exact});
     free_rejected(points_, labels(), label_.data());
     points_.ranks.refresh(label_.data(), Rings::inner);
   }
@@ -160,7 +160,7 @@ private:
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
-                               is_low_noise_.data(), sums.data(), options_.growth.tolerance});
+                               is_low_noise_.data(), sums.data(), parameters_.growth.tolerance});
     points_.ranks.sum(sums.data(), sums.size());
     const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
@@ -174,9 +174,9 @@ private:
   {
     const std::size_t n = points_.cloud.number_of_surfels();
     Buffer<std::uint32_t> component(label_.size());
-    auto borders = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
+    auto borders = find_components(points_, parameters_.growth.cell_size, label_.data(), component.data());
     const std::vector<Component> components =
-      large_components(points_, options_.minimum_region_size, labels(), component.data(), borders);
+      large_components(points_, parameters_.minimum_region_size, labels(), component.data(), borders);
     number_groups(components, result);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
@@ -186,8 +186,9 @@ private:
     points_.ranks.refresh(component.data(), Rings::inner);
     measure_shapes(component.data(), result);
     const Final_shapes shapes = {labels(), component.data()};
-    result.free_points = explain_free_points(points_, shapes, planes_of(result), in_.grid, options_.growth.tolerance);
-    measure_planes(points_, shapes, in_.grid, options_.exact.maximum_distance, result.shapes);
+    result.free_points =
+      explain_free_points(points_, shapes, planes_of(result), in_.grid, parameters_.growth.tolerance);
+    measure_planes(points_, shapes, in_.grid, parameters_.exact.maximum_distance, result.shapes);
     auto shape_of = filled_buffer(backend_, points_.cloud.number_of_points(), std::int32_t(-1));
     backend_.for_each(n, Write_shapes{labels(), component.data(), order(), shape_of.data()});
     component.release();
@@ -221,7 +222,7 @@ private:
     backend_.template for_each_cell<Measure_scratch>(
       points_.number_of_cells(),
       Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), labels(), plane_.data(), shape,
-                              options_.growth.tolerance, opposed_sums.data(), sums.data()});
+                              parameters_.growth.tolerance, opposed_sums.data(), sums.data()});
     points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
     points_.ranks.sum(sums.data(), sums.size());
     const auto opposed = to_vector(backend_, opposed_sums);
@@ -269,7 +270,7 @@ private:
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
   const Shape_table<Backend>& shapes_;
-  const Stage_parameters& options_;
+  const Stage_parameters& parameters_;
   const Shape_relations& relations_;
   const Import& in_;
   Buffer<std::uint32_t> label_;       // of surfels: entry of the relations

@@ -56,7 +56,7 @@ struct Cells_view {
 
 struct Border_view {
   const Range* range;
-  const std::uint32_t* point;
+  const std::uint32_t* surfel;
   const std::uint32_t* proposal;
 };
 
@@ -68,10 +68,10 @@ struct Border {
   using Buffer = typename Backend::template Buffer<T>;
 
   Buffer<Range> range; // by cell: its entries in the next two
-  Buffer<std::uint32_t> point;
+  Buffer<std::uint32_t> surfel;
   Buffer<std::uint32_t> proposal; // the shape that the surfel joins next, or no_index
 
-  Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
+  Border_view view() const { return {range.data(), surfel.data(), proposal.data()}; }
 };
 
 // When the bits of interior surfels were made. Surfels may have become free since, and shapes may have united,
