@@ -29,7 +29,7 @@ install g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev nl
 [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || install libtbb-dev || echo "demo.sh: going on without oneTBB"
 # Debian 12 has no such package: what is not known is not searched for each time.
 { apt-cache show liblaszip-dev > /dev/null 2>&1 && install liblaszip-dev; } ||
-  echo "demo.sh: there is no package of LASzip, which files .laz need"
+  echo "demo.sh: this system has no package of LASzip, so the program will not read or write .laz"
 install libjs-three || echo "demo.sh: going on without the page, which needs three.js"
 "$root/scripts/sample_cloud.sh" "$result/building.ply"
 
@@ -42,7 +42,7 @@ build() {
 }
 # The steps as they come: a loop of the shell reads lines, where others wait until they have a block.
 built="detect_planes is built"
-echo "Building detect_planes with $jobs compilers at a time, which takes some minutes (all messages: $log)"
+echo "Building detect_planes with $jobs compilers at a time, which takes about 5 minutes on 2 processors (all messages: $log)"
 build 2>&1 | while IFS= read -r line; do
   printf '%s\n' "$line" >&3
   case $line in "["*) printf '%s\n' "$line" ;; esac
@@ -61,7 +61,7 @@ rm -f "$page" "$picture"
   python3 "$root/doc/Shape_regularization_tandem/figures/draw.py" view "$page" "$picture" > "$result/picture.log" 2>&1 ||
   [ $? -eq 77 ] || cat "$result/picture.log" >&2
 
-printf '\nIn %s, of the building (a page needs three.js, a picture of it Chromium):\n' "$result"
+printf '\nFiles in %s (the page needs three.js, its picture Chromium):\n' "$result"
 (cd "$result" && ls building_shapes.ply building_planes.txt building_report.json building*.html building*.png 2> /dev/null) || true
 [ ! -f "$page" ] || echo "The page opens in a browser: xdg-open '$page'"
 printf '\nThe program: %s\nTo try it, with your own cloud in place of building.ply:\n  %s\n' "$program" \

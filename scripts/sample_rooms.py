@@ -21,6 +21,7 @@ def turned(x, y, z):
 random.seed(1)
 print("x y z nx ny nz")
 for box in ROOMS + FURNITURE:
+    rows = []
     for axis in range(3):
         length, width = (box[i + 3] - box[i] for i in range(3) if i != axis)
         for k in range(int(2 * POINTS_PER_SQUARE_METER * length * width)):
@@ -28,4 +29,5 @@ for box in ROOMS + FURNITURE:
             point, normal = [random.uniform(box[i], box[i + 3]) for i in range(3)], [0, 0, 0]
             point[axis] = box[axis + 3 * is_upper] + random.gauss(0, NOISE)
             normal[axis] = 1 if is_upper == (box in FURNITURE) else -1
-            print(*(round(x, 4) for x in turned(*point) + turned(*normal)))
+            rows.append(" ".join(str(round(x, 4)) for x in turned(*point) + turned(*normal)))
+    print("\n".join(rows))

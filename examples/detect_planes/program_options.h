@@ -10,6 +10,7 @@
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/program_options.hpp>
 
@@ -339,6 +340,18 @@ struct Command_line {
   std::string help;
 };
 
+// Whether each word of a name is the beginning of a word of the other one, as in max-dist and maximum-distance.
+inline bool is_short_for(const std::string& name, const std::string& other)
+{
+  std::vector<std::string> own, words;
+  boost::split(own, name, boost::is_any_of("-"));
+  boost::split(words, other, boost::is_any_of("-"));
+  return std::all_of(own.begin(), own.end(), [&](const std::string& start) {
+    return start.size() >= 3 && std::any_of(words.begin(), words.end(),
+                                            [&](const std::string& word) { return boost::starts_with(word, start); });
+  });
+}
+
 // Of an option that is not known, the ones that may be meant: for names of other detectors, or the nearest ones.
 inline std::string advice_on(const po::error& e, const po::options_description& options)
 {
@@ -347,20 +360,25 @@ inline std::string advice_on(const po::error& e, const po::options_description& 
   const auto* unknown = dynamic_cast<const po::unknown_option*>(&e);
   if(unknown == nullptr)
     return {};
-  const std::map<std::string, std::string> of_others = {
-    {"epsilon", "maximum-distance"},       {"distance-threshold", "maximum-distance"},
-    {"cluster-epsilon", "k-neighbors"},    {"normal-threshold", "maximum-angle"},
-    {"min-points", "minimum-region-size"}, {"minimum-points", "minimum-region-size"}};
+  const std::map<std::string, std::string> of_others = {{"epsilon", "maximum-distance"},
+                                                        {"distance-threshold", "maximum-distance"},
+                                                        {"tolerance", "maximum-distance"},
+                                                        {"normal-threshold", "maximum-angle"},
+                                                        {"min-points", "minimum-region-size"},
+                                                        {"minimum-points", "minimum-region-size"},
+                                                        {"cores", "threads"},
+                                                        {"gpu", "backend"}};
   std::string name = boost::replace_all_copy(unknown->get_option_name(), "_", "-");
   boost::trim_left_if(name, boost::is_any_of("-"));
   name = name.substr(0, name.find('='));
-  const auto known = of_others.find(name);
+  const auto known = std::find_if(of_others.begin(), of_others.end(),
+                                  [&](const auto& other) { return is_short_for(name, other.first); });
   std::vector<std::string> names;
   for(const auto& option : options.options()) {
     const std::string& other = option->long_name();
     const auto front = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first - name.begin();
     const auto back = std::mismatch(name.rbegin(), name.rend(), other.rbegin(), other.rend()).first - name.rbegin();
-    const bool is_near = front >= 2 && front + back + 2 >= std::ptrdiff_t(name.size());
+    const bool is_near = (front >= 2 && front + back + 2 >= std::ptrdiff_t(name.size())) || is_short_for(name, other);
     if(known != of_others.end() ? known->second == other : is_near)
       names.push_back("--" + other);
   }

@@ -158,8 +158,9 @@ test_bad_usage = cases([
     ("no INPUT", ""), ("--max': did you mean --maximum-distance, --maximum-angle or --maximum-offset.", "cube.ply --max 3"),
     *((f"option '{name}[^']*': did you mean {meant}[?] ", f"cube.ply {name}") for name, meant in (
         ("--epsilon=3", "--maximum-distance"), ("--min_points", "--minimum-region-size"),
-        ("--normal-threshold", "--maximum-angle"), ("--cluster-epsilon", "--k-neighbors"), ("--lables", "--labels"),
-        ("--max-distance=3", "--maximum-distance"), ("-labels", "--label-property or --labels"))),
+        ("--normal-threshold", "--maximum-angle"), ("--max-dist", "--maximum-distance"), ("--lables", "--labels"),
+        ("--max-distance=3", "--maximum-distance"), ("--gpu", "--backend"),
+        ("--angle", "--maximum-angle or --angle-tolerance"), ("-labels", "--label-property or --labels"))),
     *((f"option '{name}' .detect_planes --help", f"cube.ply {name}") for name in ("--xyz", "-x", "---")),
     *((f"{name}.*with a decimal point", f"cube.ply {name} 0,3") for name in (
         "--maximum-distance", "--maximum-angle", "--threads")),
