@@ -11,6 +11,7 @@
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Tandem/internal/base/angles.h>
 
 #include <CGAL/Simple_cartesian.h>
 
