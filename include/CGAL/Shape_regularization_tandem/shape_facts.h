@@ -9,8 +9,8 @@
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
-#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Tandem/internal/base/angles.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,7 +25,6 @@
 #include <vector>
 
 namespace CGAL::Tandem {
-
 namespace internal {
 
 constexpr double default_near_angle = 10; // degrees
