@@ -205,8 +205,8 @@ BOOST_AUTO_TEST_CASE(test_extreme_coordinates)
 
 BOOST_AUTO_TEST_CASE(test_angle_note)
 {
-  const std::string of_normals = "maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8";
-  const std::string of_planes = "angle_tolerance is 0.99 degrees: if that was meant as a cosine, pass 8.1";
+  const std::string of_normals = "the maximum angle is 0.9 degrees: if that was meant as a cosine, pass 25.8";
+  const std::string of_planes = "the angle tolerance is 0.99 degrees: if that was meant as a cosine, pass 8.1";
   const Cloud cloud = make_box(300);
   const auto check = [&](double maximum_angle, double angle_tolerance, const std::string& expected) {
     Parameters p = make_parameters(.006, 50);

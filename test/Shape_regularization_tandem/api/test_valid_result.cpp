@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(test_points)
   refuse("maximum_distance is 1e-20, allowed is at least", [](Data& d) { d.parameters.maximum_distance = 1e-20; });
   for(const double wrong : {0., 1e-300, 1e300})
     refuse("maximum_distance", [=](Data& d) { d.parameters.maximum_distance = wrong; });
-  refuse("fixed_directions[1]", [](Data& d) { d.parameters.fixed_directions[1] = {0, 0, 0}; });
+  refuse("fixed_directions is (0, 0, 0) at index 1", [](Data& d) { d.parameters.fixed_directions[1] = {0, 0, 0}; });
 }
 
 BOOST_AUTO_TEST_CASE(test_planes)

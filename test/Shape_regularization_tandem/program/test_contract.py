@@ -169,7 +169,7 @@ test_bad_usage = cases([
         ("unrecognised option '--no-such-option'", "--no-such-option {}"), ("--threads", "{} --threads"))),
     ("an option is not known.*--a%canonical_option%b", "cube.ply --a%canonical_option%b"),
     ("maximum-distance", "cube.ply --maximum-distance far"), ("maximum-distance", "cube.ply --maximum-distance"),
-    *((rf": --{name} is {re.escape(str(value))}, must be (in )?{limits}", f"missing.ply --{name}={value}")
+    *((rf": --{name} is {re.escape(str(value))}, allowed is {limits}", f"missing.ply --{name}={value}")
       for name, limits, values in (
           ("maximum-distance", "a length .*1e270", (0, -1, "nan", "inf")), ("maximum-angle", r"[\[(].*[\])]", (0, 0.005, 90)),
           ("maximum-offset", "a length .*1e270", (-1,)), ("angle-tolerance", ".0, 45. degrees", (45,)),
@@ -189,7 +189,7 @@ test_bad_usage = cases([
 
 
 def test_values_that_do_not_fit(p):
-    p(1, ": --maximum-distance is 1e-09, must be at least .*: the extent of the points", "cube.ply --maximum-distance 1e-9")
+    p(1, ": --maximum-distance is 1e-09, allowed is at least .*: the extent of the points", "cube.ply --maximum-distance 1e-9")
     if "cuda; all" in HELP:  # but no device
         p(1, "CUDA", "cube.ply --backend cuda", CUDA_VISIBLE_DEVICES="")
     else:

@@ -63,7 +63,7 @@ def test_sizes(p, sizes, options):
 
 
 test_summary = cases([
-    ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes.*67[0-9.]* % of shapes that "
+    ("selection +1 of 4 shapes, with 576 of 1752 points .--largest 1.\n +shapes +1 in 1 planes.*67[0-9.]* % in shapes that "
      "were not selected", f"{PARTS} --largest 1"),
     ("selection +1 of 4 shapes.*--by-plane --largest 1", f"{PARTS} --by-plane --largest 1"),
     ("--minimum-area 0.0201234 --minimum-extent 0.16", f"{PARTS} --minimum-area 0.0201234 --minimum-extent 0.16")], 0)

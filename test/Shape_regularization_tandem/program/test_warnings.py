@@ -47,7 +47,7 @@ def prepare(p):
     ("cube.ply --maximum-distance 0.00001", []),
     # Angles that are cosines
     ("cube.ply E --maximum-angle 0.9",
-     ["maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"]),
+     ["the maximum angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"]),
     ("cube.ply E --maximum-angle 1 --angle-tolerance 0.5", []),
     # What was read is warned of in the report, too.
     ("cube.ply none.ply E", ["none.ply: has no points"])])

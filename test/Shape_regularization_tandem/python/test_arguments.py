@@ -73,7 +73,7 @@ def test_refused():
             ("maximum_distance", "is", (0, -1, np.nan)), ("maximum_angle", "is", (90,)), ("angle_tolerance", "is", (45,)),
             ("maximum_offset", "is", (-1,)), ("minimum_region_size", "is", (2, -3, 10**30)), ("k_neighbors", "is", (0, 65)),
             ("cell_size", "is", (1,)), ("threads", "is", (0, -1)), ("simplicity", "is", (-1, np.nan, 1e9)),
-            ("symmetry_direction", "must", ((0, 0),)), ("fixed_directions", r"\[0\] is \(0, 0, 0\)", (np.zeros((1, 3)),)),
+            ("symmetry_direction", "must", ((0, 0),)), ("fixed_directions", r"is \(0, 0, 0\) at index 0", (np.zeros((1, 3)),)),
             ("regularity", "is", (-1, np.nan, 1e9)), ("surfel_size", "is", (-1, 1)), ("backend", "is", ("fast", None)),
             *((name, "(is|must be) ", (np.array([1, 2]),)) for name in [*SWITCHES, "backend"])):
         for value in values:
