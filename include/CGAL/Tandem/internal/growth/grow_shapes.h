@@ -191,7 +191,7 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
                                         shapes.size, view, is_restarted.data()});
   backend.for_each(border.surfel.size(), Propose{cloud, points.label(), plane.data(), border.surfel.data(),
-                                                border.proposal.data(), options.tolerance});
+                                                 border.proposal.data(), options.tolerance});
   const Cell_tables tables = {points.listed_cells(), border.view(), seeds.view()};
   const Labels_view labels = points.change_labels(false);
   const Grow_cells<Backend> body = {cloud, view, labels, options, tables, std::uint32_t(shapes.size)};
