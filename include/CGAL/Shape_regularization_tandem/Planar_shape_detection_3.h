@@ -109,8 +109,9 @@ public:
     return !is_cancelled();
   }
 
-  /// does one round of growth and regularization, as in Algorithm 1 of \cgalCite{OLA16}. Returns `false` when nothing
-  /// grows any more, and after a cancellation.
+  /// does one round of growth and regularization, as in Algorithm 1 of \cgalCite{OLA16}. Call it until it returns
+  /// `false`, which says that nothing grows any more or that the callback has cancelled the detection; then call
+  /// `finish()`. Between rounds `shapes()` shows what there is. Further calls change nothing and return `false`.
   bool iterate()
   {
     const internal::Round_to_nearest rounding;

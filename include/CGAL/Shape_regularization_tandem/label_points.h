@@ -162,8 +162,8 @@ so shapes without points here take none.
     \cgalParamDefault{planes are unbounded}
   \cgalParamNEnd
   \cgalParamNBegin{reach}
-    \cgalParamDescription{the largest distance between a point and the nearest one of `shape_points` of its shape, above 0 and
-    finite}
+    \cgalParamDescription{the largest distance between a point and the nearest one of `shape_points` of its shape, above
+    0 and finite}
     \cgalParamDefault{four times the median spacing of `shape_points`: more is needed where their density varies much}
   \cgalParamNEnd
 \cgalNamedParamsEnd

@@ -108,10 +108,10 @@ public:
   /// returns the number of entries, which is that of shapes, or of distinct planes with `one_for_each_plane`
   std::size_t number_of_entries() const { return table_.polygons.size(); }
 
-  /// returns whether entry `i` has no polygon
+  /// returns whether shape `i`, or distinct plane `i` with `one_for_each_plane`, has no polygon: it has too few points
   bool is_empty(std::size_t i) const { return table_.polygons[i].empty(); }
 
-  /// returns the number of entries that have no polygon
+  /// returns the number of shapes, or of distinct planes with `one_for_each_plane`, that have no polygon
   std::size_t number_of_empty_entries() const
   {
     return std::size_t(std::count_if(table_.polygons.begin(), table_.polygons.end(),

@@ -235,8 +235,8 @@ the result, from their indices.
     \cgalParamDefault{0: all shapes}
   \cgalParamNEnd
   \cgalParamNBegin{largest}
-    \cgalParamDescription{at least 1: how many of the shapes that fit the other criteria are selected: those with most points, of
-    equal ones those of lower index}
+    \cgalParamDescription{at least 1: how many of the shapes that fit the other criteria are selected: those with most
+    points, of equal ones those of lower index}
     \cgalParamDefault{all}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}

@@ -36,9 +36,9 @@ struct Plane_relations {
   std::vector<double> largest_distance; ///< for each plane, the largest distance of its points to it
   double maximum_distance = 0;          ///< the distance that costs were measured by
 
-  /// the number of distinct directions
+  /// returns the number of distinct directions
   std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }
-  /// the number of distinct planes
+  /// returns the number of distinct planes
   std::size_t number_of_coplanar_groups() const { return number_of_groups(coplanar_group); }
 
 private:
