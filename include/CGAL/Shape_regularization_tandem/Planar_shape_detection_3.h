@@ -111,7 +111,7 @@ public:
 
   /// does one round of growth and regularization, as in Algorithm 1 of \cgalCite{OLA16}. Call it until it returns
   /// `false`, which says that nothing grows any more or that the callback has cancelled the detection; then call
-  /// `finish()`. Between rounds `shapes()` shows what there is. Further calls change nothing and return `false`.
+  /// `finish()`. Between rounds `shapes()` shows what there is.
   bool iterate()
   {
     const internal::Round_to_nearest rounding;
