@@ -84,8 +84,8 @@ it runs in parallel. The result is the same for every number of threads.
     \cgalParamDefault{200}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}
-    \cgalParamDescription{the direction upward: sensors are above, and walls without points go down from the borders of
-    shapes}
+    \cgalParamDescription{the direction upward: the rays that tell inside from outside go upward, and walls without points
+    go down from the borders of shapes}
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
   \cgalParamNEnd

@@ -42,8 +42,9 @@ that evaluation: 8 units in the last place of its largest term.
 communicator, and all of its processes have to call the function.
 \param why if it is not null, gets a sentence on the first violation: what, and of which point or shape
 
-\throw std::invalid_argument the number of points is not that of the detection
+\throw std::invalid_argument processes have different maps (`Mpi_tag`)
 \throw std::length_error more than 2^31 points in one process
+\throw std::logic_error MPI is not initialized (`Mpi_tag`)
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
 bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,

@@ -175,6 +175,7 @@ detection would ignore: a coordinate, normal or tolerance is not finite, or the 
 \throw std::invalid_argument the number of `shape_points` is not that of the detection, or one that belongs to a shape
 is not finite or farther from its plane than `maximum_distance`; or all are equal, and `reach` is not given
 \throw std::length_error more than 2^31 points
+\throw std::range_error `reach` is estimated, and the extent of `shape_points` is more than 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
