@@ -67,6 +67,7 @@ inline void append_curves(Row& row, const Curves& curves)
 inline void append_truth(Row& row, bool is_known, const Truth_criteria& t)
 {
   append_cell_if(row, is_known, "true_faces", t.faces);
+  append_cell_if(row, is_known, "top_10_faces", t.top_10_faces);
   append_cell_if(row, is_known, "point_precision", t.point_precision);
   append_cell_if(row, is_known, "face_f1_50", t.face_f1);
   append_cell_if(row, t.shapes_matched > 0, "angle_error_deg", t.angle_error_deg);

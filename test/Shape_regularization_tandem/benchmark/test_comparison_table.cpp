@@ -31,6 +31,7 @@ Row row_of(const Made_up& m)
   append_cell(row, "finished", true);
   append_cell(row, "seconds", m.seconds);
   append_cell(row, "coverage", m.coverage);
+  append_cell(row, "top_10_shapes", m.coverage - .1);
   append_cell(row, "beyond_epsilon", m.beyond);
   append_cell(row, "points_relabeled", 0);
   return row;
@@ -55,8 +56,8 @@ BOOST_AUTO_TEST_CASE(better_methods_are_marked)
                row_of({"peer", "true", 1, .7, 0}), row_of({"fast", "false", 1, .8, 0})});
   BOOST_REQUIRE_EQUAL(all.size(), 4u);
   BOOST_TEST(cell(all[1].first(), "description") == "the peer");
-  check_shown(all, 0, {{"seconds", "2.00"}, {"cover.%", "80.0"}});
-  check_shown(all, 1, {{"seconds", "3.00"}, {"cover.%", "90.0*"}, {">eps", "7"}});
+  check_shown(all, 0, {{"seconds", "2.00"}, {"cover.%", "80.0"}, {"top10%", "70.0"}});
+  check_shown(all, 1, {{"seconds", "3.00"}, {"cover.%", "90.0*"}, {"top10%", "80.0*"}, {">eps", "7"}});
   check_shown(all, 2, {{"seconds", "-"}, {"cover.%", "70.0"}}); // a cleaned result was not run by itself
   check_shown(all, 3, {{"seconds", "1.00*"}, {"cover.%", "80.0"}, {"F1", "-"}});
 }

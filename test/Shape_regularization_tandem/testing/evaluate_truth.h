@@ -19,6 +19,7 @@ struct Truth {
 
 struct Truth_criteria {
   std::size_t faces = 0;           // with enough points to count
+  double top_10_faces = 0;         // ratio of the points on the ten largest
   double point_precision = 0;      // ratio of the assigned points that lie on the main face of their shape
   std::size_t shapes_matched = 0;  // a shape and a face match where intersection / union is above one half
   double face_f1 = 0;              // of these matches
@@ -99,6 +100,8 @@ inline Truth_criteria evaluate_truth(const Truth& truth, const Detection& detect
   Truth_criteria criteria;
   for(std::size_t f = 0; f < overlap.faces; ++f)
     criteria.faces += overlap.face_size[f] >= smallest_face;
+  criteria.top_10_faces =
+    Size_curve({overlap.face_size.begin(), overlap.face_size.end() - 1}, truth.label.size()).top(10);
   criteria.point_precision = point_precision(overlap);
   const Plane_relations true_relations(truth.faces, extent.diagonal, extent.center),
     relations(detection.planes, extent.diagonal, extent.center);

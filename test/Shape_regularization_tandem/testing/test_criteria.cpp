@@ -185,6 +185,7 @@ BOOST_AUTO_TEST_CASE(halves_outliers_and_small_faces)
   BOOST_TEST(t.face_f1 == .4, within); // precision 1 of 3, recall 1 of 2
   t = compare({0, 0, 0, 0, 1, 1, -1, -1}, {{0, 0, 0, -1, 1, 1, 0, -1}, faces}, 3);
   BOOST_TEST(t.faces == 1u);
+  BOOST_TEST(t.top_10_faces == .75, within);
   BOOST_TEST(t.point_precision == 5.0 / 6, within);
   BOOST_TEST(t.shapes_matched == 2u);
   BOOST_TEST(t.face_f1 == 1.0, within);
