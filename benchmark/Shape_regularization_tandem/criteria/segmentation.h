@@ -53,6 +53,32 @@ inline Segmentation evaluate_segmentation(const Truth& truth, const Detection& d
   return result;
 }
 
+// What a face keeps is the ratio of its points in the largest shape of which it is the main face.
+struct Kept_faces {
+  double worst = 1, all = 0; // of the faces; the ratio of the points of all faces
+
+  // Whether each face has a shape of its own.
+  bool is_right() const { return worst >= 0.9; }
+};
+
+inline Kept_faces evaluate_kept(const Truth& truth, const Detection& detection)
+{
+  const Overlap overlap(truth, detection);
+  Kept_faces result;
+  double points = 0;
+  for(std::size_t f = 0; f < overlap.faces; ++f) {
+    std::size_t most = 0;
+    for(std::size_t s = 0; s < overlap.shapes; ++s)
+      if(overlap.main_face[s] == f)
+        most = (std::max)(most, overlap.common(s, f));
+    result.all += double(most);
+    points += double(overlap.face_size[f]);
+    result.worst = (std::min)(result.worst, ratio(double(most), double(overlap.face_size[f])));
+  }
+  result.all = ratio(result.all, points);
+  return result;
+}
+
 // Empty where the truth is not known, so that all rows have the same columns.
 inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
 {

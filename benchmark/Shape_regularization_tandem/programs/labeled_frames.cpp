@@ -10,8 +10,9 @@
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
 // only clouds whose group or name contains one of the PARTs.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
-// of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
-// layers: the ratio of a face that its main shape has, of the worst face and on average.
+// of shapes, F1 at .5, precision of points, ratio of the points in the ten largest shapes and faces, score per point
+// (criteria/segmentation.h, criteria/result_score.h). Of walls: the scenes in which each face has a shape of its own, the
+// ratio of a face in its main shape, of the worst face and of all.
 
 #include "clouds/named_clouds.h"
 #include "contestants/Contestant.h"
@@ -27,14 +28,15 @@ namespace {
 
 const std::vector<std::string> columns = {
   "segmentation_f", "mean_iou",   "segmentation_precision", "segmentation_recall", "over_segmented", "under_segmented",
-  "shapes",         "face_f1_50", "point_precision",        "score_of_point"};
+  "shapes",         "face_f1_50", "point_precision",        "top_10_shapes",       "top_10_faces",   "score_of_point"};
 // Of the file.
 const char* const written_columns =
   "group cloud normals points shapes coverage mean_distance_in_epsilons degrees_of_freedom_relaxed planes_relaxed "
   "segmentation_f mean_iou segmentation_precision segmentation_recall over_segmented under_segmented "
-  "true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed score_fit score_links score_size "
-  "score_price score_freedom score_of_point";
-const char* const titles = "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec       S";
+  "top_10_shapes top_10_faces true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed score_fit "
+  "score_links score_size score_price score_freedom score_of_point";
+const char* const titles =
+  "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec   top10   faces       S";
 
 using Values = std::vector<double>;
 
@@ -83,31 +85,26 @@ public:
       print_means(title, groups, all);
   }
 
-  void judge_layers()
+  void judge_walls()
   {
-    std::map<std::string, std::vector<double>> worst, mean;
-    for(const scenes::Labeled_scene& frame : scenes::labeled_layers()) {
-      if(!is_wanted(frame))
+    std::map<std::string, std::vector<Kept_faces>> all;
+    for(const scenes::Labeled_scene& wall : scenes::labeled_walls()) {
+      if(!is_wanted(wall))
         continue;
-      const Named_cloud cloud = make_cloud(frame);
+      const Named_cloud cloud = make_cloud(wall);
       for(int own : {0, 1}) {
-        const auto kept = kept_ratios(cloud, detect(cloud, own).detection);
-        const std::string key = frame.group + " " + kinds[own];
-        worst[key].push_back(kept.first);
-        mean[key].push_back(kept.second);
-        Row row = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}};
-        append_cell(row, "worst_face_kept", kept.first);
-        append_cell(row, "mean_kept", kept.second);
+        const Kept_faces kept = evaluate_kept(cloud.truth, detect(cloud, own).detection);
+        all[wall.group + " " + kinds[own]].push_back(kept);
+        Row row = {{"group", wall.group}, {"cloud", wall.name}, {"normals", kinds[own]}};
+        append_cell(row, "is_right", kept.is_right());
+        append_cell(row, "worst_face_kept", kept.worst);
+        append_cell(row, "mean_kept", kept.all);
         rows_.push_back(row);
       }
     }
-    std::printf("\n%-30s  worst    mean kept\n", "layers");
-    for(const auto& entry : worst) {
-      const std::vector<double>& ratios = mean[entry.first];
-      std::printf("%-30s %6.3f %6.3f\n", entry.first.c_str(),
-                  *std::min_element(entry.second.begin(), entry.second.end()),
-                  std::accumulate(ratios.begin(), ratios.end(), 0.) / double(ratios.size()));
-    }
+    std::printf("\n%-30s  right  worst   kept\n", "walls");
+    for(const auto& [group, kept] : all)
+      print_kept(group, kept);
   }
 
   const std::vector<Row>& rows() const { return rows_; }
@@ -164,21 +161,16 @@ private:
     }
   }
 
-  // Of the faces: the least ratio, and that of all points.
-  static std::pair<double, double> kept_ratios(const Named_cloud& cloud, const Detection& detection)
+  static void print_kept(const std::string& group, const std::vector<Kept_faces>& all)
   {
-    const Overlap overlap(cloud.truth, detection);
-    double right = 0, all = 0, worst = 1;
-    for(std::size_t f = 0; f < overlap.faces; ++f) {
-      std::size_t most = 0;
-      for(std::size_t s = 0; s < overlap.shapes; ++s)
-        if(overlap.main_face[s] == f)
-          most = (std::max)(most, overlap.common(s, f));
-      right += double(most);
-      all += double(overlap.face_size[f]);
-      worst = (std::min)(worst, ratio(double(most), double(overlap.face_size[f])));
+    Kept_faces total;
+    int right = 0;
+    for(const Kept_faces& kept : all) {
+      right += kept.is_right();
+      total.worst = (std::min)(total.worst, kept.worst);
+      total.all += kept.all / double(all.size());
     }
-    return {worst, right / all};
+    std::printf("%-30s %3d/%zu %6.3f %6.3f\n", group.c_str(), right, all.size(), total.worst, total.all);
   }
 
   Task knobs_;
@@ -204,7 +196,7 @@ try {
   Judge judge(knobs, parts);
   judge.judge("labeled frames", scenes::labeled_frames());
   judge.judge("scenes", scenes::labeled_scenes());
-  judge.judge_layers();
+  judge.judge_walls();
   if(!csv.empty())
     write_csv(csv, judge.rows());
   return 0;

@@ -106,10 +106,11 @@ def measure_labels(work, knob, value):
     run(program("labeled_frames"), "--csv", work / "labels.csv", f"--{knob}", value, stdout=subprocess.DEVNULL)
     rows = [row for row in csv.DictReader(open(work / "labels.csv")) if row["cloud"] != "mean"]
 
-    def mean(column, form):
-        values = [float(row[column]) for row in rows if row[column]]
+    def mean(column, form, groups=None):
+        values = [float(row[column]) for row in rows if row[column] and (not groups or row["group"] in groups)]
         return format(sum(values) / len(values), form)
-    return ["labels", knob, value] + 4 * [""] + [mean("segmentation_f", ".4f"), mean("mean_kept", ".4f"),
+    return ["labels", knob, value] + 4 * [""] + [mean("segmentation_f", ".4f"),
+                                                 mean("mean_kept", ".4f", ("steps", "boards", "strips")),
                                                  mean("angle_error_deg", ".4f"), mean("parallel_false_relaxed", ".1f")]
 
 

@@ -34,27 +34,40 @@ BOOST_AUTO_TEST_CASE(labelings_counted_by_hand)
     Labels truth, found;
     std::size_t smallest_face;
     double precision, recall, f, mean_iou, over_segmented, under_segmented;
+    double worst_kept, all_kept;
   };
   const Labeling labelings[] = {
-    {"equal", labels({{0, 10}, {-1, 3}, {1, 5}}), labels({{1, 10}, {-1, 3}, {0, 5}}), 1, 1, 1, 1, 1, 0, 0},
-    {"9 of 12 points", labels({{0, 12}}), labels({{0, 9}, {-1, 3}}), 1, 1, 1, 1, .75, 0, 0},
-    {"8 of 11 points", labels({{0, 11}}), labels({{0, 8}, {-1, 3}}), 1, 0, 0, 0, 0, 0, 0},
+    {"equal", labels({{0, 10}, {-1, 3}, {1, 5}}), labels({{1, 10}, {-1, 3}, {0, 5}}), 1, 1, 1, 1, 1, 0, 0, 1, 1},
+    {"9 of 12 points", labels({{0, 12}}), labels({{0, 9}, {-1, 3}}), 1, 1, 1, 1, .75, 0, 0, .75, .75},
+    {"8 of 11 points", labels({{0, 11}}), labels({{0, 8}, {-1, 3}}), 1, 0, 0, 0, 0, 0, 0, 8. / 11, 8. / 11},
+    {"9 of 10 points", labels({{0, 10}}), labels({{0, 9}, {-1, 1}}), 1, 1, 1, 1, .9, 0, 0, .9, .9},
+    {"17 of 19 points", labels({{0, 19}}), labels({{0, 17}, {-1, 2}}), 1, 1, 1, 1, 17. / 19, 0, 0, 17. / 19, 17. / 19},
     {"one of three faces, and a shape on none", labels({{0, 8}, {1, 8}, {2, 8}, {-1, 4}}),
-     labels({{0, 8}, {-1, 16}, {1, 4}}), 1, .5, 1. / 3, .4, 1, 0, 0},
-    {"a face in parts", labels({{0, 10}, {1, 6}}), labels({{0, 5}, {1, 5}, {2, 6}}), 1, 1. / 3, .5, .4, 1, .5, 0},
-    {"a shape over faces", labels({{0, 5}, {1, 5}, {2, 6}}), labels({{0, 10}, {1, 6}}), 1, .5, 1. / 3, .4, 1, 0, .5},
-    {"a small face", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 3, 1, 1, 1, 1, 0, 0},
-    {"a face just large enough", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 2, 1, .5, 2. / 3, 1, 0, 0},
-    {"a small face that is found", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {1, 2}}), 3, 1, 1, 1, 1, 0, 0},
-    {"nothing found", labels({{0, 5}}), labels({{-1, 5}}), 1, 0, 0, 0, 0, 0, 0}};
+     labels({{0, 8}, {-1, 16}, {1, 4}}), 1, .5, 1. / 3, .4, 1, 0, 0, 0, 1. / 3},
+    {"a face in parts", labels({{0, 10}, {1, 6}}), labels({{0, 5}, {1, 5}, {2, 6}}), 1, 1. / 3, .5, .4, 1, .5, 0, .5,
+     11. / 16},
+    {"a shape over faces", labels({{0, 5}, {1, 5}, {2, 6}}), labels({{0, 10}, {1, 6}}), 1, .5, 1. / 3, .4, 1, 0, .5, 0,
+     11. / 16},
+    {"a face of which a crumb is left", labels({{0, 90}, {1, 10}}), labels({{0, 99}, {1, 1}}), 1, .5, .5, .5, 10. / 11,
+     0, 0, .1, .91},
+    {"a small face", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 3, 1, 1, 1, 1, 0, 0, 0, 5. / 6},
+    {"a face just large enough", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {-1, 2}}), 2, 1, .5, 2. / 3, 1, 0, 0, 0,
+     5. / 6},
+    {"a small face that is found", labels({{0, 10}, {1, 2}}), labels({{0, 10}, {1, 2}}), 3, 1, 1, 1, 1, 0, 0, 1, 1},
+    {"nothing found", labels({{0, 5}}), labels({{-1, 5}}), 1, 0, 0, 0, 0, 0, 0, 0, 0}};
   for(const Labeling& l : labelings)
     BOOST_TEST_CONTEXT(l.name)
     {
-      const Segmentation s = evaluate_segmentation({l.truth, std::vector<Plane>(number_of(l.truth))},
-                                                   {l.found, std::vector<Plane>(number_of(l.found))}, l.smallest_face);
-      const double got[] = {s.precision, s.recall, s.f, s.mean_iou, s.over_segmented, s.under_segmented};
-      const double expected[] = {l.precision, l.recall, l.f, l.mean_iou, l.over_segmented, l.under_segmented};
+      const Truth truth = {l.truth, std::vector<Plane>(number_of(l.truth))};
+      const Detection detection = {l.found, std::vector<Plane>(number_of(l.found))};
+      const Segmentation s = evaluate_segmentation(truth, detection, l.smallest_face);
+      const Kept_faces kept = evaluate_kept(truth, detection);
+      const double got[] = {s.precision,      s.recall,          s.f,        s.mean_iou,
+                            s.over_segmented, s.under_segmented, kept.worst, kept.all};
+      const double expected[] = {l.precision,      l.recall,          l.f,          l.mean_iou,
+                                 l.over_segmented, l.under_segmented, l.worst_kept, l.all_kept};
       BOOST_TEST(got == expected, boost::test_tools::tolerance(1e-12) << boost::test_tools::per_element());
+      BOOST_TEST(kept.is_right() == (l.worst_kept >= .9));
     }
 }
 

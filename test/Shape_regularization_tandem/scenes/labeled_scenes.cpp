@@ -81,16 +81,46 @@ Labeled_scene scene(const Scene_kind& kind, std::size_t points, std::uint64_t se
   return {kind.name, name, make, kind.epsilon, kind.alpha_deg, points / 1000, kind.normal_noise_deg, seed};
 }
 
-// The gap is in epsilons. With noise of a third of epsilon, and normals that lean by about 5 degrees.
-Labeled_scene layers(const std::string& name, Model (*make_layers)(double), double gap, std::uint64_t seed)
+// Walls of one group: of all kinds, heights and noises (in epsilons), each so many times.
+struct Wall_set {
+  std::string group;
+  std::vector<std::string> kinds;
+  std::vector<double> heights, noises;
+  int times;
+};
+constexpr double third = 1. / 3;
+const std::vector<std::string> steps = {"halves", "inset", "strip", "stairs"};
+const Wall_set wall_sets[] = {{"bends", {"bend"}, {.2, .4, .6}, {.1, .2, third}, 1},
+                              {"bows", {"bow"}, {.2, .4, .6}, {.1, .2, third}, 1},
+                              {"offsets", {"offset"}, {.3, .6, .9}, {.1, .2, third}, 1},
+                              {"half offsets", {"half-offset"}, {.3, .6, .9}, {.1, .2, third}, 1},
+                              {"low steps", steps, {.8, 1}, {.1, .2, third}, 1},
+                              {"steps", steps, {1.1, 1.3}, {.1, .2, third}, 1},
+                              {"boards", {"boards"}, {1.1, 1.3}, {.2, third}, 6},
+                              {"strips", {"strips"}, {1.1, 1.3}, {.2, third}, 6}};
+
+// Turned anyhow, with normals that lean by about 5 degrees. What is around the wall has no labels.
+Labeled_scene wall(const std::string& group, const std::string& kind, double height, double noise, std::uint64_t seed)
 {
   const double epsilon = 0.02;
   const auto make = [=] {
-    const Model model = make_layers(gap * epsilon);
-    const double noise = epsilon / 3 / make_scene(model, {1}).diagonal;
-    return make_scene(model, {40000, noise, 0, false, Normals::none, 0, seed});
+    Random random(seed);
+    const Place place = Place(random.bits() % 3);
+    const Vec axis = random.direction();
+    const Frame frame = Frame().turned(axis, random.uniform());
+    Model model = make_wall(kind, height * epsilon, frame);
+    const std::size_t faces = model.faces.size();
+    add_place(model, place, frame);
+    const double sigma = noise * epsilon / make_scene(model, {1}).diagonal;
+    Scene scene = make_scene(model, {50000, sigma, 0, false, Normals::none, 0, seed});
+    scene.faces.resize(faces);
+    for(std::int32_t& label : scene.label)
+      label = label < std::int32_t(faces) ? label : -1;
+    return scene;
   };
-  return {name, name + "-" + std::to_string(seed), make, epsilon, cosine_9, 100, 5, seed};
+  const auto percent = [](double value) { return "-" + std::to_string(int(100 * value + .5)); };
+  const std::string name = kind + percent(height) + percent(noise) + "-" + std::to_string(seed);
+  return {group, name, make, epsilon, cosine_9, 100, 5, seed};
 }
 
 } // namespace
@@ -127,14 +157,15 @@ std::vector<Labeled_scene> labeled_scenes(std::size_t points)
   return list;
 }
 
-std::vector<Labeled_scene> labeled_layers()
+std::vector<Labeled_scene> labeled_walls()
 {
   std::vector<Labeled_scene> list;
-  for(const bool are_strips : {true, false})
-    for(const double gap : {1.1, 1.3})
-      for(std::uint64_t seed = 1; seed <= 3; ++seed)
-        list.push_back(layers(std::string(are_strips ? "strips" : "boards") + (gap == 1.1 ? "-1.1" : "-1.3"),
-                              are_strips ? make_strips : make_boards, gap, seed));
+  for(const Wall_set& set : wall_sets)
+    for(const std::string& kind : set.kinds)
+      for(double height : set.heights)
+        for(double noise : set.noises)
+          for(int i = 0; i < set.times; ++i)
+            list.push_back(wall(set.group, kind, height, noise, 701 + list.size()));
   return list;
 }
 

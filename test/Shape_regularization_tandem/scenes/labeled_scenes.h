@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scenes whose points have the label of their plane, with the tolerances that a user would choose: rooms as a scanner
-// and a depth camera see them, a room of planes that are nearly parallel, roofs, the scenes of make_scene, and layers.
+// and a depth camera see them, a room of planes that are nearly parallel, roofs, the scenes of make_scene, and walls.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LABELED_SCENES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LABELED_SCENES_H
@@ -29,9 +29,10 @@ std::vector<Labeled_scene> labeled_frames();
 // House, part, indoor and village, and a noisy house with five seeds.
 std::vector<Labeled_scene> labeled_scenes(std::size_t points = 100000);
 
-// Strips side by side, and boards before a wall, 1.1 and 1.3 epsilon apart, with noise of a third of epsilon, with
-// three seeds.
-std::vector<Labeled_scene> labeled_layers();
+// Large walls in rooms and halls and on roofs, with noise of .1 to 1/3 epsilon. One face: they bend and bow by .2 to .6
+// epsilon, or two scans are up to .9 epsilon apart. Layers: low steps, of .8 and 1 epsilon; steps, boards and strips of
+// 1.1 and 1.3 epsilon. Only the faces of the walls have labels.
+std::vector<Labeled_scene> labeled_walls();
 
 } // namespace CGAL::Tandem::scenes
 

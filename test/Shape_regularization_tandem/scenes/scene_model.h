@@ -305,11 +305,14 @@ Model make_tilted_room();
 // hall (saw teeth), villa (hip, wing and dormers).
 Model make_roof(const std::string& kind);
 
-// A wall of 4 by 3 m in the xz plane, and three boards of different sizes at the distance `gap` before it.
-Model make_boards(double gap);
+// A wall of 4 by 3 m in the xy plane of the frame. One face: bend (a V) and bow, whose points are within `height` of a
+// plane; offset and half-offset, two scans `height` apart that overlap wholly or by half. A face for each layer, higher
+// by `height` than the one below: halves, inset, strip, stairs (three), boards (three before a wall), strips (five).
+Model make_wall(const std::string& kind, double height, const Frame& frame);
 
-// Five strips of .8 by 3 m side by side; the second and the fourth are higher by `gap`.
-Model make_strips(double gap);
+// Around such a wall: floor and side wall; floor, ceiling and columns; the other side of a roof, and a chimney.
+enum class Place { room, hall, roof };
+void add_place(Model& model, Place place, const Frame& wall);
 
 } // namespace CGAL::Tandem::scenes
 

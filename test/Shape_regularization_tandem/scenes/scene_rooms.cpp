@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Furnished rooms, layers, and objects with curved parts.
+// Furnished rooms, walls, and objects with curved parts.
 
 #include "scene_model.h"
 
@@ -133,23 +133,63 @@ Model make_tilted_room()
   return model;
 }
 
-Model make_boards(double gap)
+namespace {
+
+// A rectangle of a wall, and how high its left and its right end are.
+struct Patch {
+  double u, v, width, height, left, right;
+};
+
+struct Wall_kind {
+  std::string name;
+  bool is_layered; // each patch is a face, and hides what is below
+  std::vector<Patch> patches;
+};
+
+const Wall_kind wall_kinds[] = {
+  {"bend", false, {{0, 0, 2, 3, -1, 1}, {2, 0, 2, 3, 1, -1}}},
+  {"offset", false, {{0, 0, 4, 3, -.5, -.5}, {0, 0, 4, 3, .5, .5}}},
+  {"half-offset", false, {{0, 0, 2.7, 3, -.5, -.5}, {1.3, 0, 2.7, 3, .5, .5}}},
+  {"halves", true, {{0, 0, 2, 3, 0, 0}, {2, 0, 2, 3, 1, 1}}},
+  {"inset", true, {{0, 0, 4, 3, 0, 0}, {1.4, 1, 1.2, 1, 1, 1}}},
+  {"strip", true, {{0, 0, 4, 3, 0, 0}, {0, .85, 3.4, .3, 1, 1}}},
+  {"stairs", true, {{0, 0, 1.3, 3, 0, 0}, {1.3, 0, 1.3, 3, 1, 1}, {2.6, 0, 1.4, 3, 2, 2}}},
+  {"boards", true, {{0, 0, 4, 3, 0, 0}, {.4, .4, 1.2, 1, 1, 1}, {2.2, .5, .8, .6, 1, 1}, {2.6, 1.8, .5, .5, 1, 1}}},
+  {"strips",
+   true,
+   {{0, 0, .8, 3, 0, 0}, {.8, 0, .8, 3, 1, 1}, {1.6, 0, .8, 3, 0, 0}, {2.4, 0, .8, 3, 1, 1}, {3.2, 0, .8, 3, 0, 0}}}};
+
+} // namespace
+
+Model make_wall(const std::string& kind, double height, const Frame& frame)
 {
   Model model;
-  const Frame wall = Frame().upright();
-  model.add_rectangle(wall, 4, 3);
-  const double boards[3][4] = {{0.4, 0.4, 1.2, 1}, {2.2, 0.5, 0.8, 0.6}, {2.6, 1.8, 0.5, 0.5}};
-  for(const double(&b)[4] : boards)
-    model.add_box(wall, {b[0], b[1], -1}, {b[0] + b[2], b[1] + b[3], gap}, side_top);
+  if(kind == "bow")
+    model.add_bent_rectangle(frame, 4, 3, 2 * height);
+  for(const Wall_kind& wall : wall_kinds)
+    for(const Patch& p : wall.name == kind ? wall.patches : std::vector<Patch>()) {
+      const double left = p.left * height, right = p.right * height, u = p.u + p.width, v = p.v + p.height;
+      if(wall.is_layered || model.faces.empty())
+        model.faces.push_back({Model::half_space(frame, {0, 0, 1}, wall.is_layered ? left : 0), {}, {}});
+      model.extend_face(model.faces.size() - 1, frame,
+                        {{p.u, p.v, left}, {u, p.v, right}, {u, v, right}, {p.u, v, left}});
+      if(wall.is_layered)
+        model.solids.push_back(Model::box(frame, {p.u, p.v, -1}, {u, v, left}));
+    }
   return model;
 }
 
-Model make_strips(double gap)
+void add_place(Model& model, Place place, const Frame& wall)
 {
-  Model model;
-  for(int i = 0; i < 5; ++i)
-    model.add_rectangle(Frame().at({0.8 * i, 0, i % 2 == 0 ? 0 : gap}), 0.8, 3);
-  return model;
+  if(place == Place::roof) {
+    model.add_rectangle(wall.at({0, 3, 0}).turned({1, 0, 0}, -.35), 4, 1.5);
+    model.add_box(wall, {3.3, 2.2, -.05}, {3.7, 2.6, .6});
+    return;
+  }
+  model.add_box_faces(wall, {0, 0, 0}, {4, 3, 1}, side_front | (place == Place::room ? side_left : side_back), true);
+  if(place == Place::hall)
+    for(double u : {.8, 2.4})
+      model.curved.push_back({wall.at({u, 0, .6}).with_axes({0, 0, 1}, {1, 0, 0}), .15, 3, false});
 }
 
 Model make_part()

@@ -6,6 +6,7 @@
 
 #include "testing/checks.h"
 
+#include "scenes/labeled_scenes.h"
 #include "scenes/sensor.h"
 #include "testing/plane_relations.h"
 
@@ -13,6 +14,7 @@
 
 #include <cstring>
 #include <map>
+#include <utility>
 
 // Not `scenes`, which is a namespace here.
 BOOST_AUTO_TEST_SUITE(test_scenes)
@@ -108,6 +110,52 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
   BOOST_TEST(village.degrees_of_freedom() == 50u);
   BOOST_TEST(village.complexity() * double(3 * village.shapes()) == double(50 + village.planes()),
              boost::test_tools::tolerance(1e-12));
+}
+
+// Faces, and the least and the largest height above the first one.
+BOOST_AUTO_TEST_CASE(walls_bend_and_have_steps_of_the_given_height)
+{
+  struct Wall {
+    const char* kind;
+    std::size_t faces;
+    double lowest, highest;
+  };
+  const Wall walls[] = {{"bend", 1, -1, 1},          {"bow", 1, -4. / 3, 2. / 3}, {"offset", 1, -.5, .5},
+                        {"half-offset", 1, -.5, .5}, {"halves", 2, 0, 1},         {"inset", 2, 0, 1},
+                        {"strip", 2, 0, 1},          {"stairs", 3, 0, 2},         {"boards", 4, 0, 1},
+                        {"strips", 5, 0, 1}};
+  const double height = .02;
+  for(const Wall& wall : walls)
+    BOOST_TEST_CONTEXT(wall.kind)
+    {
+      const scenes::Model model =
+        scenes::make_wall(wall.kind, height, scenes::Frame().at({1, 2, 3}).turned({1, 2, 3}, .4));
+      const Scene scene = scenes::make_scene(model, {5000});
+      BOOST_TEST(scene.faces.size() == wall.faces);
+      double lowest = 9, highest = -9;
+      for(std::size_t i = 0; i < scene.points.size(); ++i) {
+        const Vec& p = scene.points[i];
+        const double h = (dot(scene.faces[0].normal, p) + scene.faces[0].offset) / height;
+        lowest = (std::min)(lowest, h);
+        highest = (std::max)(highest, h);
+        BOOST_REQUIRE(!model.is_hidden(p, 1e-6));
+        BOOST_REQUIRE((wall.faces == 1 || face_distance(scene, i, p) < 1e-12));
+      }
+      BOOST_TEST(std::abs(lowest - wall.lowest) < .01);
+      BOOST_TEST(std::abs(highest - wall.highest) < .01);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_around_a_wall_has_no_label)
+{
+  std::string group;
+  for(const scenes::Labeled_scene& wall : scenes::labeled_walls())
+    if(std::exchange(group, wall.group) != wall.group) {
+      const Scene scene = wall.make();
+      const auto free = std::count(scene.label.begin(), scene.label.end(), -1);
+      BOOST_TEST((free > 10000 && free < 30000), wall.name);
+      BOOST_TEST(*std::max_element(scene.label.begin(), scene.label.end()) + 1 == std::int32_t(scene.faces.size()));
+    }
 }
 
 // The same for all compilers and flags.
