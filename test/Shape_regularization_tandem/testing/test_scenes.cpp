@@ -132,6 +132,7 @@ BOOST_AUTO_TEST_CASE(walls_bend_and_have_steps_of_the_given_height)
         scenes::make_wall(wall.kind, height, scenes::Frame().at({1, 2, 3}).turned({1, 2, 3}, .4));
       const Scene scene = scenes::make_scene(model, {5000});
       BOOST_TEST(scene.faces.size() == wall.faces);
+      BOOST_TEST(model.solids.size() == (wall.faces == 1 ? 0 : wall.faces));
       double lowest = 9, highest = -9;
       for(std::size_t i = 0; i < scene.points.size(); ++i) {
         const Vec& p = scene.points[i];
