@@ -104,37 +104,12 @@ public:
     split(n, cell);
   }
 
-  // Raises the value of direction i.
-  void raise(int i, double value)
-  {
-    Direction_cell cell = root_of(i);
-    int n = cell.face;
-    for(; nodes[n].children >= 0; n = enter_child(n, cell, places[i]))
-      nodes[n].largest = (std::max)(nodes[n].largest, value);
-    nodes[n].largest = (std::max)(nodes[n].largest, value);
-    for(int b = nodes[n].first; b >= 0; b = blocks[b].next)
-      for(int k = 0; k < blocks[b].size; ++k)
-        if(blocks[b].items[k].number == i)
-          blocks[b].items[k].value = value;
-  }
-
-  // Constant time in the cell if no direction that was added before is left there.
-  void remove(int i) { remove_below(places[i].face, root_of(i), i); }
-
   // Calls f(i) for the directions that meet the region.
   template <class Region, class Function>
   void search(const Region& region, Function f) const
   {
     for(int face = 0; face < 3; ++face)
       search_below(face, {face, 0, 0, 1}, region, f);
-  }
-
-  // The same; directions for which f(i) returns true are removed.
-  template <class Region, class Function>
-  void remove_if(const Region& region, Function f)
-  {
-    for(int face = 0; face < 3; ++face)
-      remove_below_if(face, {face, 0, 0, 1}, region, f);
   }
 
 private:
@@ -255,50 +230,6 @@ private:
     }
   }
 
-  double largest_of_children(int n) const
-  {
-    const Node* c = &nodes[nodes[n].children];
-    return (std::max)((std::max)(c[0].largest, c[1].largest), (std::max)(c[2].largest, c[3].largest));
-  }
-
-  // The largest value of a leaf stays, as an upper bound, while it has directions.
-  void remove_below(int n, Direction_cell cell, int i)
-  {
-    if(nodes[n].children >= 0) {
-      remove_below(enter_child(n, cell, places[i]), cell, i);
-      nodes[n].largest = largest_of_children(n);
-      return;
-    }
-    const auto is_it = [&](const Item& item) { return item.number == i; };
-    for(int b = nodes[n].first; b >= 0 && !erase(blocks[b], is_it); b = blocks[b].next)
-      ;
-    drop_empty_blocks(n);
-  }
-
-  // The others keep their order. Returns whether any was removed.
-  template <class Predicate>
-  static bool erase(Block& block, Predicate is_out)
-  {
-    const int before = block.size;
-    block.size = int(std::remove_if(block.items, block.items + before, is_out) - block.items);
-    return block.size < before;
-  }
-
-  // Before the first direction of a leaf.
-  void drop_empty_blocks(int leaf)
-  {
-    Node& node = nodes[leaf];
-    while(node.first >= 0 && blocks[node.first].size == 0) {
-      const int b = node.first;
-      node.first = blocks[b].next;
-      free(b);
-    }
-    if(node.first < 0) {
-      node.last = -1;
-      node.largest = -1;
-    }
-  }
-
   template <class Region>
   static bool meets(const Region& region, int face, const Item& item)
   {
@@ -319,29 +250,6 @@ private:
         for(int k = 0; k < blocks[b].size; ++k)
           if(meets(region, cell.face, blocks[b].items[k]))
             f(blocks[b].items[k].number);
-  }
-
-  template <class Region, class Function>
-  void remove_below_if(int n, const Direction_cell& cell, const Region& region, Function& f)
-  {
-    if(nodes[n].largest < 0 || !region.meets(cell, nodes[n].largest))
-      return;
-    if(nodes[n].children >= 0) {
-      for(int child = 0; child < 4; ++child)
-        remove_below_if(nodes[n].children + child, child_cell(cell, child), region, f);
-      nodes[n].largest = largest_of_children(n);
-      return;
-    }
-    double largest = -1;
-    for(int b = nodes[n].first; b >= 0; b = blocks[b].next)
-      erase(blocks[b], [&](const Item& item) {
-        const bool is_out = meets(region, cell.face, item) && f(item.number);
-        if(!is_out)
-          largest = (std::max)(largest, item.value);
-        return is_out;
-      });
-    nodes[n].largest = largest;
-    drop_empty_blocks(n);
   }
 
   std::vector<Node> nodes;
