@@ -174,12 +174,6 @@ inline Direction_group given_direction_group(const Vector& direction)
   return g;
 }
 
-inline void drop_empty(std::vector<Direction_group>& groups)
-{
-  const auto is_empty = [](const Direction_group& g) { return g.members.empty() && !g.is_given; };
-  groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
-}
-
 // What it costs to make the normal of a scatter orthogonal to some direction p, and perhaps to q as well, in steps^2, to
 // first order: this times the squared dot product of the normal and p. Rotating about an axis costs the gap of two
 // eigenvalues times the squared angle.
@@ -235,8 +229,6 @@ public:
       v[face] = c[face + 2] / c[face];
     }
   }
-
-  int nearest_quarter(const Direction_cell&) const { return 0; }
 
   // Of faces on which the direction does not lie, one coordinate may be infinite, and the other one undefined.
   bool meets(const Direction_cell& cell, double) const

@@ -53,15 +53,6 @@ public:
     return least * least / (1 + u * u + v * v);
   }
 
-  // The quarter of the cell of which the center is nearest to the circle.
-  int nearest_quarter(const Direction_cell& cell) const
-  {
-    const double h = height(cell), w = cell.half_width / 2, u = w * n[cell.face + 1], v = w * n[cell.face + 2];
-    const double distances[4] = {std::fabs(h - u - v), std::fabs(h + u - v), std::fabs(h - u + v),
-                                 std::fabs(h + u + v)};
-    return int(std::min_element(distances, distances + 4) - distances);
-  }
-
 private:
   // The dot product of the axis and the center of the cell, on the face.
   double height(const Direction_cell& cell) const
@@ -84,7 +75,6 @@ inline Great_circle great_circle(const Vector& axis) { return {axis.x, axis.y, a
 // Directions are numbered in the order in which they were added. Each has a value of at least 0. A cell knows the
 // largest value of its directions, or a larger one. A region decides what is visited:
 //   region.meets(cell, largest)     whether a direction of the cell may matter; a direction is a cell of no width
-//   region.nearest_quarter(cell)    the quarter of the cell to begin with, 0 to 3
 // Memory: about 200 bytes a direction.
 class Great_circle_index {
 public:
@@ -93,14 +83,18 @@ public:
   // The null vector is no direction.
   void add(const Vector& direction, double value)
   {
-    const int i = int(places.size());
-    places.push_back(place_of(direction));
-    const Item item = {places[i].u, places[i].v, value, i};
-    Direction_cell cell = root_of(i);
-    int n = cell.face;
-    for(; nodes[n].children >= 0; n = enter_child(n, cell, item))
+    const double c[5] = {direction.x, direction.y, direction.z, direction.x, direction.y};
+    const double x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+    int n = x >= y && x >= z ? 0 : y >= z ? 1 : 2; // the face of the largest coordinate
+    const Item item = {c[n + 1] / c[n], c[n + 2] / c[n], value, size++};
+    Direction_cell cell = {n, 0, 0, 1};
+    while(nodes[n].children >= 0) {
       nodes[n].largest = (std::max)(nodes[n].largest, value);
-    append(n, item);
+      const int child = child_of(cell, item);
+      n = nodes[n].children + child;
+      cell = child_cell(cell, child);
+    }
+    append(nodes[n], item);
     split(n, cell);
   }
 
@@ -114,42 +108,20 @@ public:
 
 private:
   // More directions a leaf: fewer cells, more tests. Cells of 2^-48 are as narrow as the rounding of a direction.
-  static constexpr int leaf_size = 8;
+  static constexpr std::size_t leaf_size = 8;
   static constexpr double smallest_half_width = 0x1p-48;
-
-  struct Place {
-    double u, v;
-    int face;
-  };
 
   struct Item {
     double u, v, value;
     int number; // of the direction
   };
 
-  // Directions of a leaf, in consecutive memory. Only the smallest cells have more than one block.
-  struct Block {
-    Item items[leaf_size];
-    int size, next; // -1: the last block
-  };
-
-  // Inner nodes have four consecutive children, leaves a list of blocks. Nodes 0, 1, 2 are the faces.
+  // Inner nodes have four consecutive children, leaves have items. Nodes 0, 1, 2 are the faces.
   struct Node {
     double largest = -1; // -1: empty
     int children = -1;
-    int first = -1, last = -1; // blocks
+    std::vector<Item> items;
   };
-
-  // On the face of the largest coordinate.
-  static Place place_of(const Vector& d)
-  {
-    const double c[5] = {d.x, d.y, d.z, d.x, d.y};
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    const int face = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-    return {c[face + 1] / c[face], c[face + 2] / c[face], face};
-  }
-
-  Direction_cell root_of(int i) const { return {places[i].face, 0, 0, 1}; }
 
   static Direction_cell child_cell(const Direction_cell& cell, int child)
   {
@@ -157,83 +129,33 @@ private:
     return {cell.face, child & 1 ? cell.u + h : cell.u - h, child & 2 ? cell.v + h : cell.v - h, h};
   }
 
-  template <class Position>
-  static int child_of(const Direction_cell& cell, const Position& p)
+  static int child_of(const Direction_cell& cell, const Item& p)
   {
     return (p.u >= cell.u ? 1 : 0) + (p.v >= cell.v ? 2 : 0);
   }
 
-  // The child of node n in which the position lies; `cell` becomes that of the child.
-  template <class Position>
-  int enter_child(int n, Direction_cell& cell, const Position& p) const
+  void append(Node& leaf, const Item& item)
   {
-    const int child = child_of(cell, p);
-    cell = child_cell(cell, child);
-    return nodes[n].children + child;
+    leaf.items.push_back(item);
+    leaf.largest = (std::max)(leaf.largest, item.value);
   }
 
-  int new_block()
-  {
-    int b = free_block;
-    if(b >= 0) {
-      free_block = blocks[b].next;
-    } else {
-      b = int(blocks.size());
-      blocks.emplace_back();
-    }
-    blocks[b].size = 0;
-    blocks[b].next = -1;
-    return b;
-  }
-
-  void free(int b)
-  {
-    blocks[b].next = free_block;
-    free_block = b;
-  }
-
-  void append(int leaf, const Item& item)
-  {
-    Node& node = nodes[leaf];
-    if(node.first < 0) {
-      node.first = node.last = new_block();
-    } else if(blocks[node.last].size == leaf_size) {
-      const int b = new_block();
-      blocks[node.last].next = b;
-      node.last = b;
-    }
-    Block& block = blocks[node.last];
-    block.items[block.size++] = item;
-    node.largest = (std::max)(node.largest, item.value);
-  }
-
-  // Splits a leaf that has more than one block, until its directions are apart. They keep their order.
+  // Splits a leaf with too many directions, until they are apart. They keep their order.
   void split(int n, Direction_cell cell)
   {
-    while(nodes[n].first != nodes[n].last && cell.half_width > smallest_half_width) {
+    while(nodes[n].items.size() > leaf_size && cell.half_width > smallest_half_width) {
       const int children = int(nodes.size());
       nodes.resize(nodes.size() + 4);
-      for(int b = nodes[n].first, next; b >= 0; b = next) {
-        const Block block = blocks[b];
-        next = block.next;
-        free(b);
-        for(int k = 0; k < block.size; ++k)
-          append(children + child_of(cell, block.items[k]), block.items[k]);
-      }
+      for(const Item& item : nodes[n].items)
+        append(nodes[children + child_of(cell, item)], item);
       nodes[n].children = children;
-      nodes[n].first = nodes[n].last = -1;
+      std::vector<Item>().swap(nodes[n].items);
       int full = 0; // at most one child has them all
-      while(full < 3 && nodes[children + full].first == nodes[children + full].last)
+      while(full < 3 && nodes[children + full].items.size() <= leaf_size)
         ++full;
       n = children + full;
       cell = child_cell(cell, full);
     }
-  }
-
-  template <class Region>
-  static bool meets(const Region& region, int face, const Item& item)
-  {
-    return region.meets({face, item.u, item.v, 0}, item.value);
   }
 
   template <class Region, class Function>
@@ -243,19 +165,16 @@ private:
     if(node.largest < 0 || !region.meets(cell, node.largest))
       return;
     if(node.children >= 0)
-      for(int k = 0, nearest = region.nearest_quarter(cell); k < 4; ++k)
-        search_below(node.children + (nearest ^ k), child_cell(cell, nearest ^ k), region, f);
+      for(int k = 0; k < 4; ++k)
+        search_below(node.children + k, child_cell(cell, k), region, f);
     else
-      for(int b = node.first; b >= 0; b = blocks[b].next)
-        for(int k = 0; k < blocks[b].size; ++k)
-          if(meets(region, cell.face, blocks[b].items[k]))
-            f(blocks[b].items[k].number);
+      for(const Item& item : node.items)
+        if(region.meets({cell.face, item.u, item.v, 0}, item.value))
+          f(item.number);
   }
 
   std::vector<Node> nodes;
-  std::vector<Place> places;
-  std::vector<Block> blocks;
-  int free_block = -1; // the first of a list
+  int size = 0; // directions
 };
 
 // --- Which of many directions are exactly orthogonal, without a look at all pairs.
@@ -266,7 +185,6 @@ public:
   explicit Right_angle_region(const Vector& direction) : circle(great_circle(direction)) {}
 
   bool meets(const Direction_cell& cell, double) const { return circle.meets(cell); }
-  int nearest_quarter(const Direction_cell&) const { return 0; }
 
 private:
   Great_circle circle;

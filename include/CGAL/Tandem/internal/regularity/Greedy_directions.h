@@ -32,8 +32,6 @@ public:
            gap_ * cheap_.least_squared_dot(cell) < price_;
   }
 
-  int nearest_quarter(const Direction_cell&) const { return 0; }
-
   void add(int placed)
   {
     first_.insert(std::upper_bound(first_.begin(), first_.end(), placed), placed);

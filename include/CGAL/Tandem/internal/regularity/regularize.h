@@ -195,7 +195,8 @@ inline void release_shapes(const Shape_fits& shapes, const Regularity_parameters
     }
     g.members.erase(end, g.members.end());
   }
-  drop_empty(groups);
+  const auto is_empty = [](const Direction_group& g) { return g.members.empty() && !g.is_given; };
+  groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
   groups.insert(groups.end(), released.begin(), released.end());
 }
 
@@ -206,7 +207,6 @@ struct Until {
   const char& is_found;
 
   bool meets(const Direction_cell& cell, double largest) const { return !is_found && region.meets(cell, largest); }
-  int nearest_quarter(const Direction_cell& cell) const { return region.nearest_quarter(cell); }
 };
 
 // By shape: whether it keeps its own direction although another one is within the angle.
