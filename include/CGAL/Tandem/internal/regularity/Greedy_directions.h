@@ -94,6 +94,7 @@ private:
     std::vector<Direction_group> waiting;
     waiting.swap(groups_);
     index_ = Great_circle_index();
+    dependent_.clear();
     is_dependent_.assign(waiting.size(), 0);
     for(int g : by_weight(waiting))
       place(std::move(waiting[std::size_t(g)]));
@@ -106,45 +107,84 @@ private:
       members.insert(members.end(), g.members.begin(), g.members.end());
       return;
     }
+    g.partners = {-1, -1};
     g.followers.clear();
     groups_.push_back(std::move(g));
     choose_partners(size() - 1, 0);
+    index_.add(groups_.back().direction, Partner_region::value_of(size() - 1));
   }
 
   void choose_partners(int g, int chosen)
   {
-    if(!group(g).is_given) {
-      group(g).partners = best_partners(group(g), chosen);
-      group(g).direction = constrained(group(g), group(g).matrix);
-      for(int p : group(g).partners)
-        if(p >= 0)
-          group(p).followers.push_back(g);
-    }
-    index_.add(group(g).direction, Partner_region::value_of(g));
+    if(group(g).is_given)
+      return;
+    set_partners(g, best_partners(group(g), candidates(group(g), chosen)));
+    group(g).direction = constrained(group(g), group(g).matrix);
   }
 
-  // In turn, each group chooses its partners among all, also lighter ones. Then it is in the index a second time.
+  void set_partners(int g, const Partners& partners)
+  {
+    for(int p : group(g).partners)
+      if(p >= 0)
+        group(p).followers.erase(std::find(group(p).followers.begin(), group(p).followers.end(), g));
+    group(g).partners = partners;
+    for(int p : partners)
+      if(p >= 0)
+        group(p).followers.push_back(g);
+  }
+
+  // In turn, each group chooses its partners among all, also lighter ones, but for those that depend on it. Then it is in
+  // the index a second time.
   void choose_all_again()
   {
     index_ = Great_circle_index();
     for(int g = 0; g < size(); ++g)
       index_.add(group(g).direction, Partner_region::value_of(g));
     for(int g = 0; g < size(); ++g) {
-      for(int p : group(g).partners)
-        if(p >= 0)
-          group(p).followers.erase(std::find(group(p).followers.begin(), group(p).followers.end(), g));
-      std::vector<int> dependent = {g}; // which cannot be partners
-      is_dependent_[std::size_t(g)] = 1;
-      for(std::size_t k = 0; k < dependent.size(); ++k)
-        for(int f : group(dependent[k]).followers)
-          if(!is_dependent_[std::size_t(f)]) {
-            is_dependent_[std::size_t(f)] = 1;
-            dependent.push_back(f);
-          }
+      find_dependent(g);
       choose_partners(g, g);
-      for(int d : dependent)
-        is_dependent_[std::size_t(d)] = 0;
+      if(group(g).partners[1] >= 0)
+        take_third(g, candidates(group(g), g));
+      index_.add(group(g).direction, Partner_region::value_of(g));
     }
+  }
+
+  // A group with two partners can have a third one if one of the two has none itself: that becomes its follower.
+  void take_third(int g, const std::vector<int>& candidates)
+  {
+    const Partners two = group(g).partners;
+    for(int third : candidates)
+      for(int i : {1, 0}) {
+        Direction_group& turned = group(two[i]);
+        const int kept = two[1 - i];
+        const Vector n = unit(cross(group(kept).direction, group(third).direction));
+        if(third == kept || turned.is_given || turned.partners[0] >= 0 ||
+           !(cost_of_two(group(g), kept, third) + Stiffness(turned.eigen).cost(n) <
+             group(g).cost(group(g).direction) + worth(group(g), third)))
+          continue;
+        find_dependent(two[i]);
+        if(is_dependent_[std::size_t(third)] || is_dependent_[std::size_t(kept)])
+          continue;
+        set_partners(g, {kept, third});
+        set_partners(two[i], {g, -1});
+        group(g).direction = constrained(group(g), group(g).matrix);
+        return;
+      }
+  }
+
+  // The groups that depend on one, and that one, cannot be its partners.
+  void find_dependent(int g)
+  {
+    for(int d : dependent_)
+      is_dependent_[std::size_t(d)] = 0;
+    dependent_ = {g};
+    is_dependent_[std::size_t(g)] = 1;
+    for(std::size_t k = 0; k < dependent_.size(); ++k)
+      for(int f : group(dependent_[k]).followers)
+        if(!is_dependent_[std::size_t(f)]) {
+          is_dependent_[std::size_t(f)] = 1;
+          dependent_.push_back(f);
+        }
   }
 
   // The placed group of which the direction saves most; the first of equal ones. -1 if none saves anything.
@@ -169,13 +209,11 @@ private:
     return options_.price(other.is_given ? g.largest : (std::min)(g.largest, other.largest));
   }
 
-  // One or two partners of which the right angles are worth most, or none. Two that are nearly parallel determine no
-  // third direction. chosen: so many groups have chosen again.
-  Partners best_partners(const Direction_group& g, int chosen) const
+  // chosen: so many groups have chosen again.
+  std::vector<int> candidates(const Direction_group& g, int chosen) const
   {
-    Partners best = {-1, -1};
     if(!relates_)
-      return best;
+      return {};
     const double price = options_.direction_price(g.largest);
     const Stiffness stiffness(g.eigen);
     Partner_region region(g, sine_, price);
@@ -186,6 +224,14 @@ private:
          stiffness.cost(d) < price)
         region.add(k);
     });
+    return region.first();
+  }
+
+  // One or two partners of which the right angles are worth most, or none.
+  Partners best_partners(const Direction_group& g, const std::vector<int>& candidates) const
+  {
+    const Stiffness stiffness(g.eigen);
+    Partners best = {-1, -1};
     double most = 0;
     const auto consider = [&](const Partners& partners, double gain) {
       if(gain > most) {
@@ -193,16 +239,22 @@ private:
         best = partners;
       }
     };
-    for(int p : region.first())
+    for(int p : candidates)
       consider({p, -1}, worth(g, p) - stiffness.cost(group(p).direction));
-    for(int p : region.first())
-      for(int q : region.first()) {
-        const Vector n = cross(group(p).direction, group(q).direction);
-        if(p < q && dot(n, n) > tuning::directions::minimum_squared_sine &&
-           squared_sine(unit(n), g.fitted) <= sine_ * sine_)
-          consider({p, q}, worth(g, p) + worth(g, q) - g.cost(unit(n)));
-      }
+    for(int p : candidates)
+      for(int q : candidates)
+        if(p < q)
+          consider({p, q}, worth(g, p) + worth(g, q) - cost_of_two(g, p, q));
     return best;
+  }
+
+  // Of right angles to two groups. Two that are nearly parallel determine no third direction.
+  double cost_of_two(const Direction_group& g, int p, int q) const
+  {
+    const Vector c = cross(group(p).direction, group(q).direction), n = unit(c);
+    return dot(c, c) > tuning::directions::minimum_squared_sine && squared_sine(n, g.fitted) <= sine_ * sine_
+             ? g.cost(n)
+             : std::numeric_limits<double>::infinity();
   }
 
   // The best direction for a scatter that is orthogonal to the partners of a group.
@@ -305,7 +357,8 @@ private:
   bool unites_, relates_;
   std::vector<Direction_group> groups_; // those that are placed
   Great_circle_index index_;            // of their directions
-  std::vector<char> is_dependent_;      // on the group that chooses
+  std::vector<int> dependent_;          // on the group that chooses
+  std::vector<char> is_dependent_;      // the same, by group
 };
 
 } // namespace CGAL::Tandem::internal
