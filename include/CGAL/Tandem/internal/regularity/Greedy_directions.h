@@ -118,7 +118,7 @@ private:
   {
     if(group(g).is_given)
       return;
-    set_partners(g, best_partners(group(g), candidates(group(g), chosen)));
+    set_partners(g, best_partners(group(g), find_candidates(group(g), chosen)));
     group(g).direction = constrained(group(g), group(g).matrix);
   }
 
@@ -144,7 +144,7 @@ private:
       find_dependent(g);
       choose_partners(g, g);
       if(group(g).partners[1] >= 0)
-        take_third(g, candidates(group(g), g));
+        take_third(g, find_candidates(group(g), g));
       index_.add(group(g).direction, Partner_region::value_of(g));
     }
   }
@@ -209,8 +209,8 @@ private:
     return options_.price(other.is_given ? g.largest : (std::min)(g.largest, other.largest));
   }
 
-  // chosen: so many groups have chosen again.
-  std::vector<int> candidates(const Direction_group& g, int chosen) const
+  // Groups that may be partners. chosen: so many groups have chosen again.
+  std::vector<int> find_candidates(const Direction_group& g, int chosen) const
   {
     if(!relates_)
       return {};
