@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(true_relations)
   }
   check_equal(made_up, 0, "relations that are not true");
   check(missed_parallel * 100 < parallel, "parallel pairs missed, of", missed_parallel, parallel);
-  check(missed_orthogonal * 20 < orthogonal, "orthogonal pairs missed, of", missed_orthogonal, orthogonal);
+  check(missed_orthogonal * 100 < orthogonal, "orthogonal pairs missed, of", missed_orthogonal, orthogonal);
   check(error < .05 * points, "mean error of the directions, in degrees", error / points);
 }
 
