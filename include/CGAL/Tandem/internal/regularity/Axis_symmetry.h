@@ -33,7 +33,7 @@ class Axis_symmetry {
 public:
   // axis: a unit vector. A group may be turned at the price of a degree of freedom.
   Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, const Regularity_parameters& options)
-    : groups(groups), axis(axis), options(options), sine(sine_deg(options.angle_tolerance_deg))
+    : groups(groups), axis(axis), options(options), largest_sine(sine_deg(options.angle_tolerance_deg))
   {
     for(const Direction_group& g : groups)
       circles.add(g.direction, 0);
@@ -64,8 +64,8 @@ private:
   {
     std::vector<int> result;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].is_given && sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
-         Axis_angle(groups[g].direction, axis).sine > sine)
+      if(!groups[g].is_given && largest_sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
+         Axis_angle(groups[g].direction, axis).sine > largest_sine)
         result.push_back(int(g));
     std::sort(result.begin(), result.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
     return result;
@@ -75,7 +75,7 @@ private:
   bool is_near(int a, int b) const
   {
     const Axis_angle m(groups[a].direction, axis), j(groups[b].direction, axis);
-    return a == b || std::fabs(std::fma(m.cosine, j.sine, -(m.sine * j.cosine))) < sine;
+    return a == b || std::fabs(std::fma(m.cosine, j.sine, -(m.sine * j.cosine))) < largest_sine;
   }
 
   // The groups of a class get the mean of their angles, weighted by points. Those that it costs too much leave it.
@@ -149,7 +149,7 @@ private:
   std::vector<Direction_group>& groups;
   Vector axis;
   const Regularity_parameters& options;
-  double sine;                // of the tolerance
+  double largest_sine;        // of the tolerance
   Great_circle_index circles; // of the directions of all groups, before any turns
 };
 
