@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coplanar groups are the same as by a look at all pairs, in the definition. Shapes are related where that is worth more
-// than what it costs their points, and none pays more than its relations are worth. True relations are found, no others
-// are made up, and the order of the shapes does not matter.
+// Coplanar groups are the same as by a look at all pairs, in the definition. Shapes are related where that is worth
+// more than what it costs their points, and none pays more than its relations are worth. True relations are found, no
+// others are made up, and the order of the shapes does not matter.
 
 #include "testing/direction_families.h"
 #include "testing/rectangles.h"
@@ -190,8 +190,8 @@ BOOST_AUTO_TEST_CASE(right_angle)
   }
 }
 
-// No group pays more for right angles than they are worth, and no shape more than a direction is worth. Nor is one turned by more than the tolerance. Those that keep their own direction beside another one are
-// known.
+// No group pays more for right angles than they are worth, and no shape more than a direction is worth. Nor is one
+// turned by more than the tolerance. Those that keep their own direction beside another one are known.
 BOOST_AUTO_TEST_CASE(losses)
 {
   std::size_t released = 0, right_angles = 0;

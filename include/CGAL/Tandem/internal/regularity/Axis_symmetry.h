@@ -52,7 +52,8 @@ public:
   }
 
 private:
-  // What turns a group about the axis: the direction of the axis and one orthogonal to it span the plane of its normals.
+  // What turns a group about the axis: the direction of the axis and one orthogonal to it span the plane of its
+  // normals.
   struct Turnable {
     int group;
     Vector across;  // orthogonal to the axis

@@ -21,8 +21,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Least-squares normals under constraints. Results are orthogonal up to the last bit (|dot| <= 1e-15). All are closed
-// forms: no iteration.
+// --- Least-squares normals under constraints. Results are orthogonal up to the last bit (|dot| <= 1e-15). All are
+// closed forms: no iteration.
 
 // The unit vector orthogonal to the unit vector x that is closest to v. The second
 // step removes what the rounding of the first one left.
@@ -174,8 +174,8 @@ inline Direction_group given_direction_group(const Vector& direction)
   return g;
 }
 
-// What it costs to make the normal of a scatter orthogonal to some direction p, and perhaps to q as well, in steps^2, to
-// first order: this times the squared dot product of the normal and p. Rotating about an axis costs the gap of two
+// What it costs to make the normal of a scatter orthogonal to some direction p, and perhaps to q as well, in steps^2,
+// to first order: this times the squared dot product of the normal and p. Rotating about an axis costs the gap of two
 // eigenvalues times the squared angle.
 struct Stiffness {
   Vector normal, u, v; // eigenvectors

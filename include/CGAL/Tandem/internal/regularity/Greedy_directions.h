@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which shapes are parallel or orthogonal: one greedy loop. By falling number of points, each shape takes the direction
-// of one before it, or a right angle to one or two directions, or else its own. Then all directions are fitted together.
-// Right angles are exact up to the last bit. See the manual, "Directions".
+// of one before it, or a right angle to one or two directions, or else its own. Then all directions are fitted
+// together. Right angles are exact up to the last bit. See the manual, "Directions".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_GREEDY_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GREEDY_DIRECTIONS_H
@@ -133,8 +133,8 @@ private:
         group(p).followers.push_back(g);
   }
 
-  // In turn, each group chooses its partners among all, also lighter ones, but for those that depend on it. Then it is in
-  // the index a second time.
+  // In turn, each group chooses its partners among all, also lighter ones, but for those that depend on it. Then it is
+  // in the index a second time.
   void choose_all_again()
   {
     index_ = Great_circle_index();
@@ -202,7 +202,8 @@ private:
     return best.second > 0 ? -1 : -best.second;
   }
 
-  // What a degree of freedom is worth that a group shares with a placed one. Those of given directions are there anyway.
+  // What a degree of freedom is worth that a group shares with a placed one. Those of given directions are there
+  // anyway.
   double worth(const Direction_group& g, int placed) const
   {
     const Direction_group& other = group(placed);
@@ -334,8 +335,8 @@ private:
       g.direction = g.fitted;
   }
 
-  // Those of the first direction that equals this one up to rounding, if it has the right angles of the group. Groups of
-  // equal bits are parallel in the result.
+  // The bits of the first direction that equals this one up to rounding, if that has the right angles of the group. Groups
+  // of equal bits are parallel in the result.
   void take_same_bits(Direction_group& g, const std::vector<int>& order) const
   {
     constexpr double reach = tuning::relations::same_direction;

@@ -23,10 +23,10 @@ namespace CGAL::Tandem::internal {
 
 // --- What relations save: the statistics of the groups of shapes; and the score.
 
-// How many degrees of freedom right angles leave to each direction. A direction has two. A right angle takes one of either
-// of its directions, or none if it follows from others, as it does in a rigid frame. What is left belongs to the largest
-// shapes that can have it. So a floor that is larger than its walls has both of its own, and none where two walls are
-// larger. This is the pebble game of rigidity theory.
+// How many degrees of freedom right angles leave to each direction. A direction has two. A right angle takes one of
+// either of its directions, or none if it follows from others, as it does in a rigid frame. What is left belongs to the
+// largest shapes that can have it. So a floor that is larger than its walls has both of its own, and none where two
+// walls are larger. This is the pebble game of rigidity theory.
 class Direction_freedom {
 public:
   // largest: by direction, the points of its largest shape. orthogonal: pairs of directions, each once.
