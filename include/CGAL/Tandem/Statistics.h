@@ -90,8 +90,8 @@ struct Statistics {
   /// mean distance of the points of the shapes to their planes, in units of the input; measured on the grid, whose step
   /// is about a thousandth of `maximum_distance`
   double mean_distance = 0;
-  /// degrees of freedom of the planes: 1 for the offset of each plane, and 2 for each direction, less 1 for each
-  /// orthogonal direction that is counted before it, but never less than 0 (so 3 for an orthogonal frame)
+  /// degrees of freedom of the planes: 1 for the offset of each plane, and 2 for each direction, less 1 for each right
+  /// angle of two directions that does not follow from other ones (so 3 for an orthogonal frame)
   std::size_t degrees_of_freedom = 0;
   /// the complexity of the paper: `degrees_of_freedom` / (3 `number_of_shapes`), or 0 if there are no shapes
   double complexity = 0;

@@ -29,24 +29,25 @@ BOOST_AUTO_TEST_CASE(constrained_fits)
 {
   const Vector x = unit({1, 2, 3});
   const Plane_basis b(x);
-  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}}),
-                  t = make_shape({{1.0, 2.1, -1.8}, {0, 0, 0}, 9000, 5000, 200, 900});
+  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}});
   const Vector f = fit_orthogonal(s.scatter.matrix, x, s.fit.normal);
-  const Vector g = fit_frame(s.scatter.matrix, t.scatter.matrix, x, s.fit.normal), h = orthogonal_to_both(x, g);
-  check(are_orthogonal(f, x) && are_orthogonal(g, x) && are_orthogonal(h, x) && are_orthogonal(g, h), "constraints");
+  const Vector y = unit({3, -2, 1}), h = orthogonal_to_both(x, y);
+  check(are_orthogonal(f, x) && are_orthogonal(h, x) && are_orthogonal(h, y), "constraints");
   const double one = quadratic_form(s.scatter.matrix, f);
-  const double two = quadratic_form(s.scatter.matrix, g) + quadratic_form(t.scatter.matrix, h);
-  for(int k = 0; k < 3600; ++k) {
-    const Vector v = b.lifted(cosine_deg(0.1 * k), sine_deg(0.1 * k)), w = cross(x, v);
-    check(quadratic_form(s.scatter.matrix, v) >= one * (1 - 1e-12), "a better normal orthogonal to x", k);
-    check(quadratic_form(s.scatter.matrix, v) + quadratic_form(t.scatter.matrix, w) >= two * (1 - 1e-12),
-          "a better frame", k);
-  }
+  for(int k = 0; k < 3600; ++k)
+    check(quadratic_form(s.scatter.matrix, b.lifted(cosine_deg(0.1 * k), sine_deg(0.1 * k))) >= one * (1 - 1e-12),
+          "a better normal orthogonal to x", k);
   // first-order cost of a right angle against the constrained fit
   const Eigen_system e = eigen_system(s.scatter.matrix);
   const Vector near = unit(add_scaled(x, -dot(x, e.vector[0]) + 0.02, e.vector[0]));
   const double exact = quadratic_form(s.scatter.matrix, fit_orthogonal(s.scatter.matrix, near, f)) - e.value[0];
-  check_close(cost_of_right_angle(e, near) / exact, 1, 0.01, "cost of a right angle");
+  const Stiffness stiffness(e);
+  check_close(stiffness.cost(near) / exact, 1, 0.01, "cost of a right angle");
+  // beside another one, which the normal has
+  const Vector beside = unit(cross(e.vector[0], f)), both = orthogonal_to_both(near, beside);
+  const double d = dot(e.vector[0], near);
+  check_close(stiffness(near, beside) * d * d / (quadratic_form(s.scatter.matrix, both) - e.value[0]), 1, 0.01,
+              "cost of a second right angle");
 }
 
 // Boxes with gabled roofs on two walls: each roof plane is orthogonal to one wall, not to the other.

@@ -74,7 +74,7 @@ std::vector<std::vector<std::size_t>> brute_force_neighbors(const std::vector<Ve
   return rows;
 }
 
-// The definition in Score.h. All terms but that of the directions, whose degrees of freedom depend on an order.
+// The definition in Score.h. All terms but that of the directions: see result/test_freedom.cpp.
 Result_score brute_force(const std::vector<Vec>& points, const Shapes& shapes)
 {
   Result_score score;

@@ -8,8 +8,6 @@
 
 #include "rectangles.h"
 
-#include <CGAL/Tandem/internal/regularity/Frames.h>
-
 #include <cmath>
 #include <functional>
 #include <map>
@@ -105,25 +103,18 @@ inline void for_each_family(int n, int seeds,
     }
 }
 
-// Whether one direction can be a follower of the other
-inline bool can_follow(const Star_candidate& m, const Star_candidate& j)
-{
-  const double product = std::fabs(rounded_dot(m.rounded, j.rounded));
-  return product < (std::min)(m.sine, j.sine) && product <= (std::max)(m.reach, j.reach);
-}
-
 // A plate with this normal, of some size and noise.
 inline Direction_group make_group(Random& random, const Vector& normal, bool is_small)
 {
   const Vector n = unit(normal), u = made_orthogonal(random.direction(), n), v = cross(n, u);
   const double width = is_small ? 10 : 10 + 1e4 * random.uniform() * random.uniform();
-  Direction_group g = direction_group({0}, .14);
+  Direction_group g;
   g.weight = g.largest = double(100 + random.below(3));
   g.matrix = square(g.weight * width * width, u) + square(g.weight * width * width * random.uniform(), v) +
              square(g.weight * random.uniform(), n);
-  if(random.below(4) == 0)
-    g.sine = .14 * random.uniform();
-  g.fit();
+  g.eigen = eigen_system(g.matrix);
+  g.fitted = canonical(g.eigen.vector[0]);
+  g.minimum = quadratic_form(g.matrix, g.fitted);
   return g;
 }
 

@@ -54,7 +54,7 @@ CGAL_TANDEM_HD inline Vector unit(const Vector& a)
 }
 
 // Whether two unit normals are orthogonal: the one definition, in the engine and in the result. See the manual,
-// "Orthogonality: Stars and Frames".
+// "Directions".
 CGAL_TANDEM_HD inline bool are_orthogonal(const Vector& a, const Vector& b)
 {
   return std::fabs(dot(a, b)) <= tuning::relations::orthogonal_dot;
@@ -67,6 +67,14 @@ struct Symmetric_matrix {
 CGAL_TANDEM_HD inline Symmetric_matrix operator+(const Symmetric_matrix& a, const Symmetric_matrix& b)
 {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+
+// m + s v v'
+CGAL_TANDEM_HD inline Symmetric_matrix add_square(const Symmetric_matrix& m, double s, const Vector& v)
+{
+  const Vector w = s * v;
+  return {std::fma(w.x, v.x, m.xx), std::fma(w.x, v.y, m.xy), std::fma(w.x, v.z, m.xz),
+          std::fma(w.y, v.y, m.yy), std::fma(w.y, v.z, m.yz), std::fma(w.z, v.z, m.zz)};
 }
 
 CGAL_TANDEM_HD inline Vector operator*(const Symmetric_matrix& m, const Vector& v)

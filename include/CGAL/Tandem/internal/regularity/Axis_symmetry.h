@@ -8,7 +8,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
 
-#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+#include <CGAL/Tandem/internal/base/angles.h>
+#include <CGAL/Tandem/internal/regularity/Direction_group.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
@@ -27,12 +28,12 @@ struct Axis_angle {
   {}
 };
 
-// Greedy, as the stars of Frames: the heaviest group that is left takes all those within the angle.
+// Greedy: the heaviest group that is left takes all those within the angle.
 class Axis_symmetry {
 public:
   // axis: a unit vector. A group may be turned at the price of a degree of freedom.
   Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, const Regularity_parameters& options)
-    : groups(groups), axis(axis), options(options)
+    : groups(groups), axis(axis), options(options), largest_sine(sine_deg(options.angle_tolerance_deg))
   {
     for(const Direction_group& g : groups)
       circles.add(g.direction, 0);
@@ -51,7 +52,8 @@ public:
   }
 
 private:
-  // What turns a group about the axis: the direction of the axis and one orthogonal to it span the plane of its normals.
+  // What turns a group about the axis: the direction of the axis and one orthogonal to it span the plane of its
+  // normals.
   struct Turnable {
     int group;
     Vector across;  // orthogonal to the axis
@@ -63,19 +65,18 @@ private:
   {
     std::vector<int> result;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].is_given && groups[g].sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
-         Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
+      if(!groups[g].is_given && largest_sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
+         Axis_angle(groups[g].direction, axis).sine > largest_sine)
         result.push_back(int(g));
     std::sort(result.begin(), result.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
     return result;
   }
 
-  // Whether two groups make the same angle with the axis, within the smaller tolerance of both. True for a == b.
+  // Whether two groups make the same angle with the axis, within the tolerance. True for a == b.
   bool is_near(int a, int b) const
   {
     const Axis_angle m(groups[a].direction, axis), j(groups[b].direction, axis);
-    const double sine = std::fma(m.cosine, j.sine, -(m.sine * j.cosine)); // of the difference
-    return a == b || std::fabs(sine) < (std::min)(groups[a].sine, groups[b].sine);
+    return a == b || std::fabs(std::fma(m.cosine, j.sine, -(m.sine * j.cosine))) < largest_sine;
   }
 
   // The groups of a class get the mean of their angles, weighted by points. Those that it costs too much leave it.
@@ -149,6 +150,7 @@ private:
   std::vector<Direction_group>& groups;
   Vector axis;
   const Regularity_parameters& options;
+  double largest_sine;        // of the tolerance
   Great_circle_index circles; // of the directions of all groups, before any turns
 };
 

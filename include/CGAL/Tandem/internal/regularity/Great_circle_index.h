@@ -53,15 +53,6 @@ public:
     return least * least / (1 + u * u + v * v);
   }
 
-  // The quarter of the cell of which the center is nearest to the circle.
-  int nearest_quarter(const Direction_cell& cell) const
-  {
-    const double h = height(cell), w = cell.half_width / 2, u = w * n[cell.face + 1], v = w * n[cell.face + 2];
-    const double distances[4] = {std::fabs(h - u - v), std::fabs(h + u - v), std::fabs(h - u + v),
-                                 std::fabs(h + u + v)};
-    return int(std::min_element(distances, distances + 4) - distances);
-  }
-
 private:
   // The dot product of the axis and the center of the cell, on the face.
   double height(const Direction_cell& cell) const
@@ -84,7 +75,6 @@ inline Great_circle great_circle(const Vector& axis) { return {axis.x, axis.y, a
 // Directions are numbered in the order in which they were added. Each has a value of at least 0. A cell knows the
 // largest value of its directions, or a larger one. A region decides what is visited:
 //   region.meets(cell, largest)     whether a direction of the cell may matter; a direction is a cell of no width
-//   region.nearest_quarter(cell)    the quarter of the cell to begin with, 0 to 3
 // Memory: about 200 bytes a direction.
 class Great_circle_index {
 public:
@@ -93,33 +83,20 @@ public:
   // The null vector is no direction.
   void add(const Vector& direction, double value)
   {
-    const int i = int(places.size());
-    places.push_back(place_of(direction));
-    const Item item = {places[i].u, places[i].v, value, i};
-    Direction_cell cell = root_of(i);
-    int n = cell.face;
-    for(; nodes[n].children >= 0; n = enter_child(n, cell, item))
+    const double c[5] = {direction.x, direction.y, direction.z, direction.x, direction.y};
+    const double x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+    int n = x >= y && x >= z ? 0 : y >= z ? 1 : 2; // the face of the largest coordinate
+    const Item item = {c[n + 1] / c[n], c[n + 2] / c[n], value, size++};
+    Direction_cell cell = {n, 0, 0, 1};
+    while(nodes[n].children >= 0) {
       nodes[n].largest = (std::max)(nodes[n].largest, value);
-    append(n, item);
+      const int child = child_of(cell, item);
+      n = nodes[n].children + child;
+      cell = child_cell(cell, child);
+    }
+    append(nodes[n], item);
     split(n, cell);
   }
-
-  // Raises the value of direction i.
-  void raise(int i, double value)
-  {
-    Direction_cell cell = root_of(i);
-    int n = cell.face;
-    for(; nodes[n].children >= 0; n = enter_child(n, cell, places[i]))
-      nodes[n].largest = (std::max)(nodes[n].largest, value);
-    nodes[n].largest = (std::max)(nodes[n].largest, value);
-    for(int b = nodes[n].first; b >= 0; b = blocks[b].next)
-      for(int k = 0; k < blocks[b].size; ++k)
-        if(blocks[b].items[k].number == i)
-          blocks[b].items[k].value = value;
-  }
-
-  // Constant time in the cell if no direction that was added before is left there.
-  void remove(int i) { remove_below(places[i].face, root_of(i), i); }
 
   // Calls f(i) for the directions that meet the region.
   template <class Region, class Function>
@@ -129,52 +106,22 @@ public:
       search_below(face, {face, 0, 0, 1}, region, f);
   }
 
-  // The same; directions for which f(i) returns true are removed.
-  template <class Region, class Function>
-  void remove_if(const Region& region, Function f)
-  {
-    for(int face = 0; face < 3; ++face)
-      remove_below_if(face, {face, 0, 0, 1}, region, f);
-  }
-
 private:
   // More directions a leaf: fewer cells, more tests. Cells of 2^-48 are as narrow as the rounding of a direction.
-  static constexpr int leaf_size = 8;
+  static constexpr std::size_t leaf_size = 8;
   static constexpr double smallest_half_width = 0x1p-48;
-
-  struct Place {
-    double u, v;
-    int face;
-  };
 
   struct Item {
     double u, v, value;
     int number; // of the direction
   };
 
-  // Directions of a leaf, in consecutive memory. Only the smallest cells have more than one block.
-  struct Block {
-    Item items[leaf_size];
-    int size, next; // -1: the last block
-  };
-
-  // Inner nodes have four consecutive children, leaves a list of blocks. Nodes 0, 1, 2 are the faces.
+  // Inner nodes have four consecutive children, leaves have items. Nodes 0, 1, 2 are the faces.
   struct Node {
     double largest = -1; // -1: empty
     int children = -1;
-    int first = -1, last = -1; // blocks
+    std::vector<Item> items;
   };
-
-  // On the face of the largest coordinate.
-  static Place place_of(const Vector& d)
-  {
-    const double c[5] = {d.x, d.y, d.z, d.x, d.y};
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    const int face = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-    return {c[face + 1] / c[face], c[face + 2] / c[face], face};
-  }
-
-  Direction_cell root_of(int i) const { return {places[i].face, 0, 0, 1}; }
 
   static Direction_cell child_cell(const Direction_cell& cell, int child)
   {
@@ -182,127 +129,33 @@ private:
     return {cell.face, child & 1 ? cell.u + h : cell.u - h, child & 2 ? cell.v + h : cell.v - h, h};
   }
 
-  template <class Position>
-  static int child_of(const Direction_cell& cell, const Position& p)
+  static int child_of(const Direction_cell& cell, const Item& p)
   {
     return (p.u >= cell.u ? 1 : 0) + (p.v >= cell.v ? 2 : 0);
   }
 
-  // The child of node n in which the position lies; `cell` becomes that of the child.
-  template <class Position>
-  int enter_child(int n, Direction_cell& cell, const Position& p) const
+  void append(Node& leaf, const Item& item)
   {
-    const int child = child_of(cell, p);
-    cell = child_cell(cell, child);
-    return nodes[n].children + child;
+    leaf.items.push_back(item);
+    leaf.largest = (std::max)(leaf.largest, item.value);
   }
 
-  int new_block()
-  {
-    int b = free_block;
-    if(b >= 0) {
-      free_block = blocks[b].next;
-    } else {
-      b = int(blocks.size());
-      blocks.emplace_back();
-    }
-    blocks[b].size = 0;
-    blocks[b].next = -1;
-    return b;
-  }
-
-  void free(int b)
-  {
-    blocks[b].next = free_block;
-    free_block = b;
-  }
-
-  void append(int leaf, const Item& item)
-  {
-    Node& node = nodes[leaf];
-    if(node.first < 0) {
-      node.first = node.last = new_block();
-    } else if(blocks[node.last].size == leaf_size) {
-      const int b = new_block();
-      blocks[node.last].next = b;
-      node.last = b;
-    }
-    Block& block = blocks[node.last];
-    block.items[block.size++] = item;
-    node.largest = (std::max)(node.largest, item.value);
-  }
-
-  // Splits a leaf that has more than one block, until its directions are apart. They keep their order.
+  // Splits a leaf with too many directions, until they are apart. They keep their order.
   void split(int n, Direction_cell cell)
   {
-    while(nodes[n].first != nodes[n].last && cell.half_width > smallest_half_width) {
+    while(nodes[n].items.size() > leaf_size && cell.half_width > smallest_half_width) {
       const int children = int(nodes.size());
       nodes.resize(nodes.size() + 4);
-      for(int b = nodes[n].first, next; b >= 0; b = next) {
-        const Block block = blocks[b];
-        next = block.next;
-        free(b);
-        for(int k = 0; k < block.size; ++k)
-          append(children + child_of(cell, block.items[k]), block.items[k]);
-      }
+      for(const Item& item : nodes[n].items)
+        append(nodes[children + child_of(cell, item)], item);
       nodes[n].children = children;
-      nodes[n].first = nodes[n].last = -1;
+      std::vector<Item>().swap(nodes[n].items);
       int full = 0; // at most one child has them all
-      while(full < 3 && nodes[children + full].first == nodes[children + full].last)
+      while(full < 3 && nodes[children + full].items.size() <= leaf_size)
         ++full;
       n = children + full;
       cell = child_cell(cell, full);
     }
-  }
-
-  double largest_of_children(int n) const
-  {
-    const Node* c = &nodes[nodes[n].children];
-    return (std::max)((std::max)(c[0].largest, c[1].largest), (std::max)(c[2].largest, c[3].largest));
-  }
-
-  // The largest value of a leaf stays, as an upper bound, while it has directions.
-  void remove_below(int n, Direction_cell cell, int i)
-  {
-    if(nodes[n].children >= 0) {
-      remove_below(enter_child(n, cell, places[i]), cell, i);
-      nodes[n].largest = largest_of_children(n);
-      return;
-    }
-    const auto is_it = [&](const Item& item) { return item.number == i; };
-    for(int b = nodes[n].first; b >= 0 && !erase(blocks[b], is_it); b = blocks[b].next)
-      ;
-    drop_empty_blocks(n);
-  }
-
-  // The others keep their order. Returns whether any was removed.
-  template <class Predicate>
-  static bool erase(Block& block, Predicate is_out)
-  {
-    const int before = block.size;
-    block.size = int(std::remove_if(block.items, block.items + before, is_out) - block.items);
-    return block.size < before;
-  }
-
-  // Before the first direction of a leaf.
-  void drop_empty_blocks(int leaf)
-  {
-    Node& node = nodes[leaf];
-    while(node.first >= 0 && blocks[node.first].size == 0) {
-      const int b = node.first;
-      node.first = blocks[b].next;
-      free(b);
-    }
-    if(node.first < 0) {
-      node.last = -1;
-      node.largest = -1;
-    }
-  }
-
-  template <class Region>
-  static bool meets(const Region& region, int face, const Item& item)
-  {
-    return region.meets({face, item.u, item.v, 0}, item.value);
   }
 
   template <class Region, class Function>
@@ -312,42 +165,16 @@ private:
     if(node.largest < 0 || !region.meets(cell, node.largest))
       return;
     if(node.children >= 0)
-      for(int k = 0, nearest = region.nearest_quarter(cell); k < 4; ++k)
-        search_below(node.children + (nearest ^ k), child_cell(cell, nearest ^ k), region, f);
+      for(int k = 0; k < 4; ++k)
+        search_below(node.children + k, child_cell(cell, k), region, f);
     else
-      for(int b = node.first; b >= 0; b = blocks[b].next)
-        for(int k = 0; k < blocks[b].size; ++k)
-          if(meets(region, cell.face, blocks[b].items[k]))
-            f(blocks[b].items[k].number);
-  }
-
-  template <class Region, class Function>
-  void remove_below_if(int n, const Direction_cell& cell, const Region& region, Function& f)
-  {
-    if(nodes[n].largest < 0 || !region.meets(cell, nodes[n].largest))
-      return;
-    if(nodes[n].children >= 0) {
-      for(int child = 0; child < 4; ++child)
-        remove_below_if(nodes[n].children + child, child_cell(cell, child), region, f);
-      nodes[n].largest = largest_of_children(n);
-      return;
-    }
-    double largest = -1;
-    for(int b = nodes[n].first; b >= 0; b = blocks[b].next)
-      erase(blocks[b], [&](const Item& item) {
-        const bool is_out = meets(region, cell.face, item) && f(item.number);
-        if(!is_out)
-          largest = (std::max)(largest, item.value);
-        return is_out;
-      });
-    nodes[n].largest = largest;
-    drop_empty_blocks(n);
+      for(const Item& item : node.items)
+        if(region.meets({cell.face, item.u, item.v, 0}, item.value))
+          f(item.number);
   }
 
   std::vector<Node> nodes;
-  std::vector<Place> places;
-  std::vector<Block> blocks;
-  int free_block = -1; // the first of a list
+  int size = 0; // directions
 };
 
 // --- Which of many directions are exactly orthogonal, without a look at all pairs.
@@ -358,7 +185,6 @@ public:
   explicit Right_angle_region(const Vector& direction) : circle(great_circle(direction)) {}
 
   bool meets(const Direction_cell& cell, double) const { return circle.meets(cell); }
-  int nearest_quarter(const Direction_cell&) const { return 0; }
 
 private:
   Great_circle circle;

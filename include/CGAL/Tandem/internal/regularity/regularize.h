@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The regularity step: shapes become parallel, orthogonal and coplanar where that is worth more than what it costs
-// their points (section 4 of the paper). Directions are fixed first (Parallel_groups, Frames.h), then offsets
+// their points (section 4 of the paper). Directions are fixed first (Greedy_directions), then offsets
 // (Coplanar_groups). Input are moments, so no point is read; the result is Relations. Neither labels nor shapes change
 // here; rounds/regularize_shapes.h applies the result.
 
@@ -11,8 +11,7 @@
 
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/regularity/Axis_symmetry.h>
-#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
-#include <CGAL/Tandem/internal/regularity/Frames.h>
+#include <CGAL/Tandem/internal/regularity/Greedy_directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
@@ -124,89 +123,6 @@ private:
   const Regularity_parameters& parameters_;
 };
 
-// --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
-// this saves are worth more than the loss of its points. Shapes are only read. See the manual, "Relations by Price".
-
-// The groups are united in steps. In each, groups are visited by falling number of points. A group joins the one before
-// it at which it gains most, unless that has joined another one itself. Then groups are fitted again, until none joins.
-class Parallel_groups {
-public:
-  Parallel_groups(const Shape_fits& shapes, const Regularity_parameters& options)
-    : shapes_(shapes), parameters_(options), sine_(sine_deg(options.angle_tolerance_deg))
-  {}
-
-  // Groups of these shapes, also of one shape, all fitted; those of given directions come first and may be empty.
-  std::vector<Direction_group> operator()(const std::vector<int>& active) const
-  {
-    std::vector<Direction_group> groups;
-    for(const Vector& d : parameters_.fixed_directions)
-      groups.push_back(given_direction_group(d, sine_));
-    for(int i : active)
-      groups.push_back(direction_group({i}, sine_));
-    for(Direction_group& g : groups)
-      g.fit(shapes_);
-    while(parameters_.parallelism && sine_ > tuning::directions::minimum_sine && unite(groups))
-      ;
-    return groups;
-  }
-
-private:
-  bool unite(std::vector<Direction_group>& groups) const
-  {
-    Great_circle_index index; // of the groups that others may join
-    std::vector<int> leader;  // by number in the index
-    std::vector<int> target(groups.size(), -1);
-    for(int g : by_weight(groups)) {
-      if(!groups[std::size_t(g)].is_given)
-        target[std::size_t(g)] = best_leader(groups, std::size_t(g), index, leader);
-      if(target[std::size_t(g)] >= 0)
-        continue;
-      index.add(groups[std::size_t(g)].fitted, 0);
-      leader.push_back(g);
-    }
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(target[g] >= 0) {
-        std::vector<int>& members = groups[std::size_t(target[g])].members;
-        members.insert(members.end(), groups[g].members.begin(), groups[g].members.end());
-        groups[g].members.clear();
-        groups[std::size_t(target[g])].has_changed = true;
-      }
-    const std::size_t before = groups.size();
-    drop_empty(groups);
-    for(Direction_group& g : groups)
-      if(g.has_changed) {
-        std::sort(g.members.begin(), g.members.end());
-        g.fit(shapes_);
-      }
-    return groups.size() < before;
-  }
-
-  // The leader at which a group gains most; the heaviest of equal ones. -1 if it gains nowhere.
-  int best_leader(const std::vector<Direction_group>& groups, std::size_t g, const Great_circle_index& index,
-                  const std::vector<int>& leader) const
-  {
-    const double largest = groups[g].largest, most = parameters_.direction_price(largest);
-    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].admissible_sine(most));
-    std::pair<double, int> best(0, 1); // the gain, then -number in the index
-    index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
-      const Direction_group& other = groups[std::size_t(leader[std::size_t(k)])];
-      if(squared_sine(other.fitted, groups[g].fitted) <= sine_ * sine_)
-        best = (std::max)(best, {saved(largest, other) - groups[g].cost(other.fitted), -k});
-    });
-    return best.second > 0 ? -1 : leader[std::size_t(-best.second)];
-  }
-
-  // What it is worth to have the direction of another group. That of a given one is there anyway.
-  double saved(double largest, const Direction_group& other) const
-  {
-    return parameters_.direction_price(other.is_given ? largest : (std::min)(largest, other.largest));
-  }
-
-  const Shape_fits& shapes_;
-  const Regularity_parameters& parameters_;
-  double sine_; // of the angle within which shapes may be parallel
-};
-
 // By shape, the number of its direction; -1 for shapes without a group. Groups whose directions have the same bits get
 // the same number, since frames can make them equal.
 inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
@@ -256,18 +172,6 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
   }
 }
 
-// Sets the directions of the groups, with right angles and symmetry where they are enabled.
-inline void set_directions(std::vector<Direction_group>& groups, const Regularity_parameters& options)
-{
-  if(options.orthogonality)
-    Frames(groups, options).make_orthogonal();
-  else
-    for(Direction_group& g : groups)
-      g.direction = g.fitted;
-  for(const Vector& axis : options.symmetry_axis)
-    Axis_symmetry(groups, axis, options).make_symmetric();
-}
-
 // Shapes that their group turns by more than the tolerance, or at more than a direction is worth, get groups of their
 // own, of their own fits. Unions of unions may turn a shape so far, and right angles of their direction.
 inline void release_shapes(const Shape_fits& shapes, const Regularity_parameters& options,
@@ -285,13 +189,14 @@ inline void release_shapes(const Shape_fits& shapes, const Regularity_parameters
     };
     const auto end = std::stable_partition(g.members.begin(), g.members.end(), is_kept);
     for(auto i = end; i != g.members.end(); ++i) {
-      released.push_back(direction_group({*i}, sine));
+      released.push_back(single_group(*i));
       released.back().fit(shapes);
       released.back().direction = released.back().fitted;
     }
     g.members.erase(end, g.members.end());
   }
-  drop_empty(groups);
+  const auto is_empty = [](const Direction_group& g) { return g.members.empty() && !g.is_given; };
+  groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
   groups.insert(groups.end(), released.begin(), released.end());
 }
 
@@ -302,7 +207,6 @@ struct Until {
   const char& is_found;
 
   bool meets(const Direction_cell& cell, double largest) const { return !is_found && region.meets(cell, largest); }
-  int nearest_quarter(const Direction_cell& cell) const { return region.nearest_quarter(cell); }
 };
 
 // By shape: whether it keeps its own direction although another one is within the angle.
@@ -311,7 +215,7 @@ inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vect
 {
   std::vector<char> is_rejected(shapes.size(), 0);
   const double sine = sine_deg(options.angle_tolerance_deg);
-  if(!options.parallelism || !(sine > tuning::directions::minimum_sine))
+  if(!options.parallelism || !(sine > tuning::relations::same_direction))
     return is_rejected;
   Great_circle_index index;
   for(const Direction_group& g : groups)
@@ -338,8 +242,9 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(!is_excluded[i] && shapes[i].scatter.count > 0 && dot(shapes[i].fit.normal, shapes[i].fit.normal) > 0.5)
       active.push_back(int(i));
-  std::vector<Direction_group> groups = Parallel_groups(shapes, options)(active);
-  set_directions(groups, options);
+  std::vector<Direction_group> groups = Greedy_directions(shapes, options)(active);
+  for(const Vector& axis : options.symmetry_axis)
+    Axis_symmetry(groups, axis, options).make_symmetric();
   release_shapes(shapes, options, groups);
   std::vector<Vector> normal(shapes.size());
   for(std::size_t i = 0; i < shapes.size(); ++i)

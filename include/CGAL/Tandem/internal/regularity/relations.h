@@ -31,17 +31,6 @@ inline Vector canonical(const Vector& n)
   return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
 }
 
-// A normal on a grid of 2^-24, which is less than 4e-6 degrees. Products of coordinates and of their differences are
-// exact then. So contraction cannot change a sum, and no std::fma is needed: a call on plain x86-64.
-inline Vector rounded_normal(const Vector& n)
-{
-  const double scale = double(1 << 24);
-  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale,
-          double(llrint(n.z * scale)) / scale};
-}
-
-inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 // The squared sine of the angle of two unit vectors.
 inline double squared_sine(const Vector& a, const Vector& b)
 {

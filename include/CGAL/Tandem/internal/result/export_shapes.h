@@ -23,46 +23,77 @@ namespace CGAL::Tandem::internal {
 
 // --- What relations save: the statistics of the groups of shapes; and the score.
 
-// Degrees of freedom of each direction. A direction costs 2, less one for each orthogonal direction that was counted
-// before it. Counting starts at the direction with most relations, and goes on with the most constrained one that it
-// has reached. So a star is counted from its master, and a frame costs 3.
-inline std::vector<int> direction_freedom(std::size_t directions, const std::vector<std::pair<int, int>>& orthogonal)
-{
-  std::vector<std::vector<int>> related(directions);
-  for(const auto& pair : orthogonal) {
-    related[pair.first].push_back(pair.second);
-    related[pair.second].push_back(pair.first);
-  }
-  std::vector<int> start(directions);
-  for(std::size_t g = 0; g < directions; ++g)
-    start[g] = int(g);
-  std::stable_sort(start.begin(), start.end(), [&](int a, int b) { return related[a].size() > related[b].size(); });
-  std::vector<int> constraints(directions, 0);
-  std::vector<char> is_counted(directions, 0);
-  std::vector<int> stack[3]; // by number of constraints; entries may be out of date
-  std::vector<int> freedom(directions, 0);
-  auto count = [&](int g) {
-    if(is_counted[g])
-      return;
-    is_counted[g] = 1;
-    freedom[std::size_t(g)] = 2 - (std::min)(constraints[g], 2);
-    for(int h : related[g])
-      if(!is_counted[h])
-        stack[(std::min)(++constraints[h], 2)].push_back(h);
-  };
-  for(int g : start) {
-    count(g);
-    while(!stack[1].empty() || !stack[2].empty()) {
-      std::vector<int>& maximum = stack[2].empty() ? stack[1] : stack[2];
-      const int next = maximum.back();
-      maximum.pop_back();
-      count(next);
+// How many degrees of freedom right angles leave to each direction. A direction has two. A right angle takes one of
+// either of its directions, or none if it follows from others, as it does in a rigid frame. What is left belongs to the
+// largest shapes that can have it. So a floor that is larger than its walls has both of its own, and none where two
+// walls are larger. This is the pebble game of rigidity theory.
+class Direction_freedom {
+public:
+  // largest: by direction, the points of its largest shape. orthogonal: pairs of directions, each once.
+  Direction_freedom(const std::vector<std::int64_t>& largest, const std::vector<std::pair<int, int>>& orthogonal)
+    : freedom_(largest.size(), 2), taken_(largest.size()), is_held_(largest.size(), 0), from_(largest.size(), -1)
+  {
+    for(const auto& [a, b] : orthogonal) {
+      is_held_[a] = is_held_[b] = 1;
+      while(gather(a) || gather(b))
+        ;
+      if(freedom_[a] + freedom_[b] == 4)
+        take(a, b);
+      is_held_[a] = is_held_[b] = 0;
+    }
+    std::vector<int> order(largest.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return largest[a] > largest[b]; });
+    for(int d : order) {
+      is_held_[d] = 1;
+      while(gather(d))
+        ;
     }
   }
-  return freedom;
-}
 
-// Complexity is the part of the degrees of freedom that is left: each unrelated shape would have 3 of its own.
+  const std::vector<int>& operator()() const { return freedom_; }
+
+private:
+  // The right angle of a and b takes a degree of freedom of a.
+  void take(int a, int b)
+  {
+    --freedom_[a];
+    taken_[a].push_back(b);
+  }
+
+  // Gives d a degree of freedom of a direction that is not held. Each right angle on the way between them takes one of
+  // its other direction then. Returns whether there is one.
+  bool gather(int d)
+  {
+    if(freedom_[d] == 2)
+      return false;
+    std::vector<int> reached = {d};
+    int end = -1;
+    for(std::size_t k = 0; k < reached.size() && end < 0; ++k)
+      for(int next : taken_[reached[k]])
+        if(next != d && from_[next] < 0) {
+          from_[next] = reached[k];
+          reached.push_back(next);
+          if(freedom_[next] > 0 && !is_held_[next])
+            end = next;
+        }
+    for(int to = end, at; to >= 0 && to != d; to = at) {
+      at = from_[to];
+      ++freedom_[at];
+      taken_[at].erase(std::find(taken_[at].begin(), taken_[at].end(), to));
+      take(to, at);
+    }
+    for(int k : reached)
+      from_[k] = -1;
+    return end >= 0;
+  }
+
+  std::vector<int> freedom_;
+  std::vector<std::vector<int>> taken_; // by direction, the other directions of the right angles that took of it
+  std::vector<char> is_held_;           // those that keep their degrees of freedom
+  std::vector<int> from_;               // within a search
+};
+
 // The points of the largest shape of each group.
 inline std::vector<std::int64_t> largest_sizes(const std::vector<int>& group, const std::vector<std::size_t>& size)
 {
@@ -75,8 +106,9 @@ inline std::vector<std::int64_t> largest_sizes(const std::vector<int>& group, co
   return largest;
 }
 
-// All terms of the score. `freedom`: of each direction.
-inline Score_terms score_terms(const Shapes_data& data, const std::vector<int>& freedom, const Score_counts& counts)
+// All terms of the score. `freedom` and `largest`: of each direction, and the points of its largest shape.
+inline Score_terms score_terms(const Shapes_data& data, const std::vector<int>& freedom,
+                               const std::vector<std::int64_t>& largest, const Score_counts& counts)
 {
   const Score score(data.parameters);
   Score_terms terms;
@@ -85,9 +117,8 @@ inline Score_terms score_terms(const Shapes_data& data, const std::vector<int>& 
   for(const std::size_t size : data.size)
     terms.size += score.size_bonus(std::int64_t(size));
   terms.price = std::int64_t(data.size.size()) * score.price();
-  const std::vector<std::int64_t> direction = largest_sizes(data.parallel_group, data.size);
-  for(std::size_t d = 0; d < direction.size(); ++d)
-    terms.freedom += freedom[d] * score.freedom(direction[d]);
+  for(std::size_t d = 0; d < largest.size(); ++d)
+    terms.freedom += freedom[d] * score.freedom(largest[d]);
   for(const std::int64_t size : largest_sizes(data.coplanar_group, data.size))
     terms.freedom += score.freedom(size);
   return terms;
@@ -107,10 +138,12 @@ inline void measure_relations(Shapes_data& data, const Score_counts& counts)
   statistics.number_of_directions = representatives(data.parallel_group).size();
   statistics.number_of_planes = representatives(data.coplanar_group).size();
   statistics.number_of_orthogonal_pairs = data.orthogonal_groups.size();
-  const std::vector<int> freedom = direction_freedom(statistics.number_of_directions, data.orthogonal_groups);
+  const std::vector<std::int64_t> largest = largest_sizes(data.parallel_group, data.size);
+  const std::vector<int> freedom = Direction_freedom(largest, data.orthogonal_groups)();
   statistics.degrees_of_freedom =
     std::size_t(std::accumulate(freedom.begin(), freedom.end(), 0)) + statistics.number_of_planes;
-  statistics.score = to_points(score_terms(data, freedom, counts));
+  statistics.score = to_points(score_terms(data, freedom, largest, counts));
+  // The part of the degrees of freedom that is left: each unrelated shape would have 3 of its own.
   statistics.complexity = statistics.number_of_shapes > 0
                             ? double(statistics.degrees_of_freedom) / double(3 * statistics.number_of_shapes)
                             : 0;

@@ -23,9 +23,8 @@ constexpr double relative_margin = 1e-14;
 constexpr double rounded_normal_margin = 2e-7;
 // Relative to the sum of the terms: the rounding of a distance in double.
 constexpr double evaluation_margin = 1e-15;
-// Of a dot product of unit vectors: its rounding, and the further rounding of normals on the grid of the Gauss map.
+// Of a dot product of unit vectors: its rounding.
 constexpr double dot_margin = 1e-14;
-constexpr double rounded_dot_margin = 4e-7;
 // Relative to the largest eigenvalue of a scatter: the rounding of a sum of squared distances.
 constexpr double squared_distance_margin = 1e-13;
 // Of bounds that spare a test: relative to the bound, and of the smallest eigenvalue of a joint scatter to its trace.

@@ -28,8 +28,8 @@ constexpr double same_direction = 1e-9;
 // Groups of parallel shapes, and their right angles (sections 4.1 and 4.2 of the paper).
 namespace directions {
 
-// A smaller sine of the tolerance means that nothing is parallel.
-constexpr double minimum_sine = 1e-9;
+// Directions, the first ones, of which two may be partners of another. More: slower, hardly better.
+constexpr std::size_t partners = 8;
 // Two placed directions whose squared sine is smaller determine no third one.
 constexpr double minimum_squared_sine = 0.04;
 
