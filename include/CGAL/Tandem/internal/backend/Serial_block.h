@@ -93,7 +93,11 @@ struct Serial_block {
   }
 
   // target += value.
-  void add(std::uint32_t& target, std::uint32_t value) { target += value; }
+  template <class T>
+  void add(T& target, T value)
+  {
+    target += value;
+  }
 
   // A position of its own for each caller, from `size`, which counts them. The order of positions is arbitrary, so it
   // must not reach a result.
@@ -111,7 +115,8 @@ struct Serial_block {
   // Counts `value` in a slot that belongs to the first value that came; a slot of value ~0 belongs to none. False if
   // the slot belongs to another value. Which value is first depends on the lanes, so both cases must lead to the same
   // result.
-  bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
+  template <class T>
+  bool count_pair(std::uint64_t& slot, T& count, std::uint64_t value)
   {
     if(slot == ~std::uint64_t(0))
       slot = value;

@@ -61,16 +61,6 @@ struct Moment_sums {
     for(int i = 0; i < 6; ++i)
       product[i] -= m.product[i];
   }
-
-  CGAL_TANDEM_HD bool is_equal(const Moment_sums& m) const
-  {
-    bool result = count == m.count && squared_tolerances == m.squared_tolerances;
-    for(int i = 0; i < 3; ++i)
-      result = result && sum[i] == m.sum[i];
-    for(int i = 0; i < 6; ++i)
-      result = result && product[i] == m.product[i];
-    return result;
-  }
 };
 
 // Moments of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice.

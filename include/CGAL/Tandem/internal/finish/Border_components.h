@@ -60,7 +60,8 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// A component of the result: position of its root, entry of the relations, number of points.
+// A component of the surfels of one label: the position of its root, no_index if it has no surfel on this rank; the
+// label, in which its number may follow; its number of points.
 struct Component {
   std::uint32_t root, entry;
   std::uint64_t size;

@@ -213,20 +213,6 @@ private:
   }
 };
 
-// For each surfel at an edge: the normal of the plane through the surfels of its shape around. Where they determine
-// none, it keeps its normal.
-struct Fit_to_shape {
-  Edge_view view;
-  const std::uint32_t* edge; // the surfels
-  std::uint32_t* normal;     // by place in the list: the next normal
-
-  CGAL_TANDEM_HD void operator()(std::size_t at) const
-  {
-    const std::uint32_t i = edge[at], fitted = view.normal_of_shape(i, view.label[i]);
-    normal[at] = fitted != no_normal ? fitted : view.cloud.point[i].normal;
-  }
-};
-
 // In a loop of its own, since neighbors read the normals while new ones are found.
 struct Take_normals {
   const std::uint32_t* edge;
@@ -252,21 +238,6 @@ void choose_edge_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.refresh(points.cloud.point.data(), Rings::all);
   take_chosen(points, shapes, chosen.data());
-}
-
-// Normals near edges are those of one shape. Labels stay, also of surfels that do not fit any more.
-template <class Backend>
-void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
-                           const Tolerance& tolerance)
-{
-  Backend& backend = points.backend;
-  points.refresh_labels(Rings::all);
-  const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
-  const auto edge = edge_surfels(backend, view);
-  Buffer_of<Backend, std::uint32_t> normal(edge.size());
-  backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edges_per_thread);
-  backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
-  points.ranks.refresh(points.cloud.point.data(), Rings::all);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -71,6 +71,18 @@ struct Gather_components {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
 };
 
+// Writes the entry of each component to its root, where its surfels find it.
+struct Number_roots {
+  const Component* component;
+  std::uint32_t* number; // by root
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(component[i].root != no_index)
+      number[component[i].root] = component[i].entry;
+  }
+};
+
 // By root: the number of labeled points of its component; 0 for all other entries.
 template <class Backend>
 Buffer_of<Backend, std::uint32_t> component_sizes(Labeled_cloud<Backend>& points, const Labels_of_points& labels,

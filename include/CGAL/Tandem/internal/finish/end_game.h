@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/choose_edge_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
+#include <CGAL/Tandem/internal/finish/free_clutter.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
@@ -18,41 +19,48 @@
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
+#include <utility>
+#include <vector>
+
 namespace CGAL::Tandem::internal {
 
-// --- Surfels of small components become free, so that an assignment can give them to the shapes around: a component of
-// less than the minimum number of points is no shape of the result. Changes labels only. See the manual, "Small
-// Components".
+// --- Connected components become shapes: the largest one of a shape keeps its id. Changes labels and the table of shapes.
+// See the manual, "Components".
 
-// Surfels of small components become free. An item writes its own label only, so surfels may come in any order.
-struct Free_small_components {
+// A surfel gets the id of its component. Surfels of small components become free.
+struct Choose_component {
+  const std::uint32_t* label;
   const std::uint32_t* component;
-  const std::uint32_t* size; // by root
-  std::uint64_t minimum;
-  std::uint32_t* label;
+  const std::uint32_t* number; // by root; no_index of small ones
+  std::uint32_t* chosen;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    if(label[i] < first_mark && size[component[i]] < minimum)
-      label[i] = free_label;
+    const std::uint32_t s = label[i] < first_mark ? number[component[i]] : label[i];
+    chosen[i] = s == no_index ? free_label : s;
   }
 };
 
-// Afterwards each shape has the minimum size, or no surfel at all. Moments do not follow.
+// Afterwards each shape is a component of at least the minimum size.
 template <class Backend>
-void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                           const Stage_parameters& options)
+void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
+  Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
-  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
+  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts()), chosen(n);
   auto borders = find_components(points, options.growth.cell_size, points.label(), component.data());
-  const auto size =
-    component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), borders);
-  const Labels_view labels = points.change_labels(true); // lists may have shapes without surfels
-  shapes.invalidate_moments();
-  points.backend.for_each(
-    n, Free_small_components{component.data(), size.data(), std::uint64_t(options.minimum_region_size), labels.label});
-  points.refresh_labels();
+  std::vector<Component> components = large_components(
+    points, options.minimum_region_size, {points.cloud.surfels(), points.label(), nullptr}, component.data(), borders);
+  std::vector<char> has_id(shapes.size, 0);
+  std::size_t next = shapes.size;
+  for(Component& c : components)
+    c.entry = std::exchange(has_id[c.entry], 1) ? std::uint32_t(next++) : c.entry;
+  add_shapes(backend, shapes, next - shapes.size);
+  auto number = filled_buffer(backend, n, no_index);
+  const auto named = to_buffer(backend, components);
+  backend.for_each(components.size(), Number_roots{named.data(), number.data()});
+  backend.for_each(n, Choose_component{points.label(), component.data(), number.data(), chosen.data()});
+  take_chosen(points, shapes, chosen.data());
 }
 
 struct Round_plane {
@@ -101,7 +109,16 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
-// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains.
+// Touching shapes unite where that gains. Returns whether any do.
+template <class Backend>
+bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+{
+  fit_planes(points, shapes);
+  auto links = collect_links(points, shapes, options.growth.tolerance, Links::all, Phase::end);
+  return merge_by_gain(points, shapes, options, links);
+}
+
+// Shapes split, surfels go where they are worth most, shapes unite, and clutter becomes free, in turn, where that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
@@ -115,21 +132,20 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
       choose_edge_sides(points, shapes, options.growth.tolerance);
       assign(shapes, options);
     }
-    auto links = collect_links(points, shapes, Links::all, Phase::end);
-    merge_by_gain(points, shapes, options, links);
+    unite(points, shapes, options);
+    fit_planes(points, shapes);
+    free_clutter(points, shapes, options.growth.tolerance);
+    assign(shapes, options);
   }
   fit_planes(points, shapes);
-}
-
-// Near edges, estimated normals are blended. Surfels go to their side of the edge. Then the normals near edges are
-// those of one shape, and surfels that do not fit with them are free.
-template <class Backend>
-void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
-{
-  const Tolerance& tolerance = options.growth.tolerance;
-  choose_edge_sides(points, shapes, tolerance);
-  fit_normals_to_shapes(points, shapes, tolerance);
-  detach_misfits(points, shapes, tolerance);
+  separate_components(points, shapes, options);
+  fit_planes(points, shapes);
+  free_clutter(points, shapes, options.growth.tolerance);
+  assign(shapes, options);
+  while(unite(points, shapes, options)) {
+    fit_planes(points, shapes);
+    assign(shapes, options);
+  }
 }
 
 // The last regularization. Touching shapes of one plane are one, and surfels are assigned by the planes of the
@@ -140,7 +156,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
 {
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
-  const auto links = collect_links(points, shapes, Links::all, Phase::end);
+  const auto links = collect_links(points, shapes, options.growth.tolerance, Links::all, Phase::end);
   merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
   assign(shapes, options);
@@ -171,13 +187,7 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   const auto show = [&](double fraction) { progress.show(Detection_stage::end_game, fraction); };
   Assignment<Backend> assign(points);
   raise_score(points, shapes, options, assign);
-  show(.5);
-  if(options.has_estimated_normals)
-    sharpen_edges(points, shapes, options);
   show(.6);
-  free_small_components(points, shapes, options);
-  assign(shapes, options);
-  show(.7);
   Shape_relations relations = regularize_finally(points, shapes, options, assign);
   show(.9);
   center_shapes(points, shapes, options, relations);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From labels and relations to the result: exact check, clutter shapes, connected components, and the final order of
+// From labels and relations to the result: exact check, connected components, and the final order of
 // the shapes. Works on labels of its own, so it may run between two rounds: labels, states and shapes of the loop stay.
 // Labels are entries of the relations here: entry i is the shape relations.id[i].
 
@@ -31,21 +31,6 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
-// Whether the points that an entry was last fitted to are close to their plane. Few have come or gone since.
-struct Mark_low_noise {
-  const Shape* shape;
-  const std::uint32_t* id;
-  double maximum_distance_steps;
-  std::uint8_t* is_low_noise;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const double distance = tuning::moves::low_noise_rms * maximum_distance_steps;
-    const Scatter& scatter = shape[id[i]].scatter;
-    is_low_noise[i] = shape[id[i]].fit.smallest < distance * distance * (scatter.count * scatter.squared_tolerance);
-  }
-};
-
 // From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their surfels are
 // free.
 struct Map_to_entries {
@@ -57,30 +42,6 @@ struct Map_to_entries {
   {
     const std::uint32_t entry = source[i] < first_mark ? entry_of[source[i]] : no_index;
     label[i] = entry != no_index ? entry : free_label;
-  }
-};
-
-// Surfels of dropped shapes are free.
-struct Free_dropped {
-  const std::uint8_t* is_dropped; // by label
-  std::uint32_t* label;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    if(label[i] < first_mark && is_dropped[label[i]])
-      label[i] = free_label;
-  }
-};
-
-// Item i is the i-th component of the result. Its number goes to its root, where the surfels of the component find it.
-struct Number_roots {
-  const Component* component; // in the order of the shapes; no_index if it has no surfel on this rank
-  std::uint32_t* number;      // by root
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    if(component[i].root != no_index)
-      number[component[i].root] = std::uint32_t(i);
   }
 };
 
@@ -110,7 +71,6 @@ public:
     take_entries();
     check_points();
     label_free_surfels(points_, {plane_.data(), parameters_.certain}, label_, point_label_);
-    drop_clutter_shapes();
     Engine_result result;
     name_shapes(result);
     if(!in_.has_normals)
@@ -125,11 +85,6 @@ private:
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
     backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
-    is_low_noise_.reset(id.size());
-    backend_.for_each(
-      id.size(),
-      Mark_low_noise{shapes_.table().data(), id.data(), parameters_.maximum_distance_steps, is_low_noise_.data()},
-      shapes_per_thread);
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -152,32 +107,18 @@ private:
     points_.ranks.refresh(label_.data(), Rings::inner);
   }
 
-  // Shapes are judged before they are split into components, so a small component counts with all of its shape.
-  void drop_clutter_shapes()
-  {
-    const std::size_t n = plane_.size();
-    auto sums = filled_buffer(backend_, neighbor_counts::size * n, std::uint64_t(0));
-    backend_.template for_each_cell<Neighbor_scratch>(
-      points_.number_of_cells(),
-      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
-                               is_low_noise_.data(), sums.data(), parameters_.growth.tolerance});
-    points_.ranks.sum(sums.data(), sums.size());
-    const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
-    const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts.data() + neighbor_counts::size * i)); });
-    backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
-  }
-
-  // Components of the remaining labels become shapes: by falling number of points, ties by position of the root.
+  // Components of the labels become shapes: by falling number of points, ties by position of the root.
   // Buffers of the size of the cloud are released before the points are grouped, which needs memory itself.
   void name_shapes(Engine_result& result)
   {
     const std::size_t n = points_.cloud.number_of_surfels();
     Buffer<std::uint32_t> component(label_.size());
     auto borders = find_components(points_, parameters_.growth.cell_size, label_.data(), component.data());
-    const std::vector<Component> components =
+    std::vector<Component> components =
       large_components(points_, parameters_.minimum_region_size, labels(), component.data(), borders);
     number_groups(components, result);
+    for(std::size_t i = 0; i < components.size(); ++i)
+      components[i].entry = std::uint32_t(i);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
     backend_.for_each(components.size(), Number_roots{named.data(), number.data()});
@@ -276,7 +217,6 @@ private:
   Buffer<std::uint32_t> label_;       // of surfels: entry of the relations
   Buffer<std::uint32_t> point_label_; // of points: the same, or none; empty without surfels. The others are by entry
   Buffer<Plane> plane_;
-  Buffer<std::uint8_t> is_low_noise_;
   std::vector<Coefficients> coefficients_;
 };
 

@@ -42,77 +42,33 @@ struct Sampled_shape {
   CGAL_TANDEM_HD std::int64_t size() const { return fitted.moments.count; }
 };
 
-struct Verdict {
-  bool is_accepted = false;
-  bool is_taken = false; // the smaller one joins the plane of the larger one as it is
-  double gain = 0;       // in units of the score
-};
-
 // Within moments, the worth of a shape is 1 - d^2 / epsilon^2, also of points that do not fit and are worth nothing.
 // How much that counts wrong is estimated from the sample, as a difference of both planes for the same points, so that
-// most of the error of a sample cancels out. A union has to gain more than the standard deviation of the rest.
+// most of the error of a sample cancels out. A point that no longer fits is lost, however continuous the surface is.
 class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)
     : score_(options.score), tolerance_(options.growth.tolerance),
       per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
+  {}
+
+  // A cheap test, by one lane, for pairs that gain nothing: the sum of squares of the union exceeds what it could save.
+  // Not where both together are worth less than that. Points that would not fit count by their squares here, too.
+  CGAL_TANDEM_HD bool may_gain(const Fitted_moments& a, const Fitted_moments& b, const Contact& contact) const
   {
-    const double twice = std::fma(2., options.squared_cosine, -1.);
-    squared_cosine_of_twice_ = twice > 0 ? twice * twice : 0;
+    const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
+    const std::int64_t na = a.moments.count, nb = b.moments.count;
+    const double continuity = continuity_of(contact), most = saved(contact) + continuity * bonus(na, nb, na, nb);
+    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most || continuity == 1)
+      return true;
+    const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
+    const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
+    return !has_eigenvalues_above(
+      joint, std::fma(tuning::exactness::bound_factor, squares + most / (per_square_ * (1 - continuity)), rounding));
   }
 
-  // Not where cheap tests, by one lane, reject the pair. The first shape is the larger one. links: between both.
-  CGAL_TANDEM_HD bool may_gain(const Fitted_moments& a, const Fitted_moments& b, std::uint32_t links) const
-  {
-    const double cosine = dot(a.fit.normal, b.fit.normal);
-    return !(cosine * cosine < squared_cosine_of_twice_) && (is_much_larger(a, b) || !are_apart(a, b, saved(links)));
-  }
-
-  // The verdict where it may gain.
-  CGAL_TANDEM_HD Verdict near_verdict(const Sampled_shape& a, const Sampled_shape& b, std::uint32_t links) const
-  {
-    if(is_much_larger(a.fitted, b.fitted)) {
-      const Verdict verdict = taking_verdict(a, b, saved(links));
-      if(verdict.is_accepted || are_apart(a.fitted, b.fitted, saved(links)))
-        return verdict;
-    }
-    return joint_verdict(a, b, saved(links));
-  }
-
-private:
-  CGAL_TANDEM_HD static bool is_much_larger(const Fitted_moments& a, const Fitted_moments& b)
-  {
-    return tuning::moves::much_larger * b.moments.count < a.moments.count;
-  }
-
-  // By a union of two shapes.
-  CGAL_TANDEM_HD double saved(std::uint32_t links) const { return -double(score_.price() + score_.links(links)); }
-
-  // How the worth of a part changes with its plane, beside the squares, and which of its points do not fit.
-  struct Part {
-    double change, variance;
-    std::int64_t misfits, misfits_before;
-    bool has_misfits; // more than a union may have, or it is not known: the rest is not computed then
-  };
-
-  // Of one point: how its worth changes beside the squares, without and with that of the size.
-  struct Change {
-    double change, of_all;
-  };
-
-  // The second shape takes the plane of the first one.
-  CGAL_TANDEM_HD Verdict taking_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
-  {
-    const Part part = compare(b, a.fitted.local);
-    if(part.has_misfits)
-      return {};
-    const double squares = excess(b.fitted.scatter, b.fitted.fit, a.fitted.local);
-    const double gain = std::fma(-per_square(b), squares, saved) + part.change +
-                        bonus(a.size(), b.size() - part.misfits, b.size() - part.misfits_before);
-    return is_accepted(gain, part.variance, b) ? Verdict{true, true, gain} : Verdict();
-  }
-
-  CGAL_TANDEM_HD Verdict joint_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
+  // In units of the score; not positive if nothing is gained, or too many points would not fit.
+  CGAL_TANDEM_HD double operator()(const Sampled_shape& a, const Sampled_shape& b, const Contact& contact) const
   {
     Fitted_moments joint;
     joint.moments = a.fitted.moments;
@@ -120,30 +76,48 @@ private:
     refit(joint);
     const Part of_b = compare(b, joint.local);
     if(of_b.has_misfits)
-      return {};
+      return 0;
     const Part of_a = compare(a, joint.local);
     if(of_a.has_misfits)
-      return {};
-    const double squares = std::fma(per_square(a), excess(a.fitted.scatter, a.fitted.fit, joint.local),
-                                    per_square(b) * excess(b.fitted.scatter, b.fitted.fit, joint.local));
-    const std::int64_t na = a.size() - of_a.misfits, nb = b.size() - of_b.misfits;
-    const double size = double(score_.size_bonus(na + nb) - score_.size_bonus(a.size() - of_a.misfits_before) -
-                               score_.size_bonus(b.size() - of_b.misfits_before));
-    const double gain = saved - squares + of_a.change + of_b.change + size;
-    return is_accepted(gain, of_a.variance + of_b.variance, b) ? Verdict{true, false, gain} : Verdict();
+      return 0;
+    const double size = bonus(a.size() - of_a.misfits, b.size() - of_b.misfits, a.size() - of_a.misfits_before,
+                              b.size() - of_b.misfits_before);
+    const double continuity = continuity_of(contact);
+    const double lost =
+      double(Score::unit) * double(of_a.misfits + of_b.misfits - of_a.misfits_before - of_b.misfits_before);
+    return saved(contact) + std::fma(continuity, size - lost, (continuity - 1) * (of_a.loss + of_b.loss));
   }
 
-  // Of the size: na points stay, nb points join, and were n of a shape of their own.
-  CGAL_TANDEM_HD double bonus(std::int64_t na, std::int64_t nb, std::int64_t n) const
+private:
+  CGAL_TANDEM_HD static double continuity_of(const Contact& contact)
   {
-    return double(score_.size_bonus(na + nb) - score_.size_bonus(na) - score_.size_bonus(n));
+    return double(contact.continuity()) / double(Contact::one);
+  }
+
+  // By a union of two shapes.
+  CGAL_TANDEM_HD double saved(const Contact& contact) const
+  {
+    return -double(score_.price() + score_.links(std::int64_t(contact.links)));
+  }
+
+  // What a part loses of its fit by another plane, and how many of its points do not fit.
+  struct Part {
+    double loss;
+    std::int64_t misfits, misfits_before;
+    bool has_misfits; // more than a union may have, or it is not known: the rest is not computed then
+  };
+
+  // Of the sizes of a union and of its parts.
+  CGAL_TANDEM_HD double bonus(std::int64_t na, std::int64_t nb, std::int64_t a, std::int64_t b) const
+  {
+    return double(score_.size_bonus(na + nb) - score_.size_bonus(a) - score_.size_bonus(b));
   }
 
   CGAL_TANDEM_HD Part compare(const Sampled_shape& s, const Regular_plane& candidate) const
   {
     const Plane before = rounded(s.fitted.local), after = rounded(candidate);
-    const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0, per_own_square = per_square(s);
-    double sum = 0, squares = 0;
+    const double per_square = per_square_ / s.fitted.scatter.squared_tolerance; // by the tolerances of its points
+    double sum = 0;
     constexpr tuning::Ratio most = tuning::moves::misfits_of_union;
     std::int64_t misfits = 0, misfits_before = 0;
     bool has_misfits = s.sample.size == 0;
@@ -157,19 +131,14 @@ private:
       misfits += Lane_group::count(is_misfit);
       has_misfits = most.is_exceeded(misfits, std::int64_t(s.sample.size));
       misfits_before += Lane_group::count(was_misfit);
-      const double change = (is_misfit ? surplus(after, q.point, per_own_square) : 0) -
-                            (was_misfit ? surplus(before, q.point, per_own_square) : 0);
-      const double of_size = is_misfit == was_misfit ? 0 : is_misfit ? -bonus : bonus;
+      const double change =
+        (is_misfit ? surplus(after, q.point, per_square) : 0) - (was_misfit ? surplus(before, q.point, per_square) : 0);
       // In the order of the sample, as sums are of doubles. Points that fit both planes change nothing.
-      Lane_group::for_each_in_order(is_misfit || was_misfit, Change{change, change + of_size}, [&](const Change& c) {
-        sum += c.change;
-        squares = std::fma(c.of_all, c.of_all, squares);
-      });
+      Lane_group::for_each_in_order(is_misfit || was_misfit, change, [&](double c) { sum += c; });
     }
-    const bool is_whole = std::int64_t(s.sample.size) >= s.size();
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
-    return {scale * sum, is_whole ? 0 : scale * scale * squares, std::int64_t(scale * double(misfits)),
-            std::int64_t(scale * double(misfits_before)), has_misfits};
+    return {std::fma(per_square, excess(s.fitted.scatter, s.fitted.fit, candidate), -scale * sum),
+            std::int64_t(scale * double(misfits)), std::int64_t(scale * double(misfits_before)), has_misfits};
   }
 
   // By how much the squares count a point too low that is worth nothing.
@@ -179,44 +148,9 @@ private:
     return std::fma(e * e, per_square, -double(Score::unit));
   }
 
-  // Units of the score for a squared grid step, by the tolerances of its points.
-  CGAL_TANDEM_HD double per_square(const Sampled_shape& s) const
-  {
-    return per_square_ / s.fitted.scatter.squared_tolerance;
-  }
-
-  // Whether the gain is certain, and the larger one gains as well: otherwise the smaller one would only be dissolved.
-  CGAL_TANDEM_HD bool is_accepted(double gain, double variance, const Sampled_shape& b) const
-  {
-    return gain > 0 && gain * gain > variance && gain + worth(b) + double(score_.price()) > 0;
-  }
-
-  // Without its price and links.
-  CGAL_TANDEM_HD double worth(const Sampled_shape& s) const
-  {
-    return std::fma(-per_square(s), s.fitted.fit.smallest, double(Score::unit) * double(s.size())) +
-           double(score_.size_bonus(s.size()));
-  }
-
-  // A cheap test for pairs that gain nothing: the sum of squares of a union exceeds what it could save. Not where both
-  // together are worth less than that. Points that would not fit count by their squares here, too.
-  CGAL_TANDEM_HD bool are_apart(const Fitted_moments& a, const Fitted_moments& b, double saved) const
-  {
-    const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
-    const std::int64_t na = a.moments.count, nb = b.moments.count;
-    const double most = saved - double(score_.price()) + bonus(na, nb, nb);
-    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
-      return false;
-    const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
-    const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
-    return has_eigenvalues_above(joint,
-                                 std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
-  }
-
   Score score_;
   Tolerance tolerance_;
   double per_square_; // units of the score for a squared grid step, at epsilon
-  double squared_cosine_of_twice_;
 };
 
 // A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the
@@ -238,8 +172,8 @@ struct Union_pair {
   std::uint32_t first, second; // equal if the pair has been joined
   Union_key key;               // the cost is that of `rejected` if the test rejects the pair
   std::int32_t tested;         // the last round in which it was tested
-  std::int32_t is_taken;       // the second one joins the plane of the first one as it is
-  std::uint32_t links;         // between both
+  std::int32_t is_taken;       // the first one is so much larger that it may take several in one round
+  Contact contact;
 
   static constexpr std::uint64_t rejected = ~std::uint64_t(0);
   CGAL_TANDEM_HD bool is_accepted() const { return first != second && key.cost != rejected; }
@@ -267,7 +201,7 @@ struct Union_rounds {
   enum Step { test, choose_cost, choose_size, choose_ids, take, join, fit, number_of_steps };
   static constexpr int steps = number_of_steps;
 
-  Union_gain criterion;
+  Union_gain gain;
   Union_pair* pair;
   std::size_t pairs, shapes;
   const Shape* shape;   // these by id
@@ -365,9 +299,9 @@ private:
     p.first = a;
     p.second = b;
     p.tested = round;
-    p.is_taken = 0;
+    p.is_taken = (na > nb ? na : nb) > tuning::moves::much_larger * (na > nb ? nb : na);
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
-    return a != b && own.has(i) && criterion.may_gain(united(a), united(b), p.links);
+    return a != b && own.has(i) && gain.may_gain(united(a), united(b), p.contact);
   }
 
   // By a group of lanes.
@@ -375,11 +309,10 @@ private:
   {
     Union_pair& p = pair[i];
     const std::uint32_t a = p.first, b = p.second;
-    const Verdict verdict = criterion.near_verdict({united(a), sample[a]}, {united(b), sample[b]}, p.links);
+    const double gained = gain({united(a), sample[a]}, {united(b), sample[b]}, p.contact);
     Lane_group::single([&] {
-      p.is_taken = verdict.is_taken;
-      if(verdict.is_accepted)
-        p.key.cost = ordered_bits(-verdict.gain);
+      if(gained > 0)
+        p.key.cost = ordered_bits(-gained);
     });
   }
 

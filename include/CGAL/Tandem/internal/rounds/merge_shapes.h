@@ -128,7 +128,7 @@ struct Start_pair {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0, link[i].count};
+    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0, link[i].contact};
   }
 };
 
@@ -145,9 +145,7 @@ struct Union_fits {
 
 // What the tests of a round say. A pair that is not among these has been rejected.
 struct Accepted_pair {
-  std::uint32_t pair;
-  std::int32_t is_taken;
-  std::uint64_t cost;
+  std::uint64_t pair, cost; // wide, so that all bytes are defined
 };
 
 template <class Backend>
@@ -159,21 +157,14 @@ struct Take_accepted {
   {
     return rounds.own.has(i) && rounds.pair[i].tested == round && rounds.pair[i].is_accepted();
   }
-  CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const
-  {
-    return {i, rounds.pair[i].is_taken, rounds.pair[i].key.cost};
-  }
+  CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const { return {i, rounds.pair[i].key.cost}; }
 };
 
 struct Put_accepted {
   Union_pair* pair;
   const Accepted_pair* accepted;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    pair[accepted[i].pair].is_taken = accepted[i].is_taken;
-    pair[accepted[i].pair].key.cost = accepted[i].cost;
-  }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { pair[accepted[i].pair].key.cost = accepted[i].cost; }
 };
 
 template <class Backend>
@@ -261,9 +252,9 @@ struct Relabel_link {
 };
 
 // Of a union, the largest shape stays, of equal ones that with the smallest id. The links then have the new ids. A pair
-// may have several links, or become a pair of one shape with itself.
+// may have several links, or become a pair of one shape with itself. Returns whether there were unions.
 template <class Backend>
-void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
+bool merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Buffer_of<Backend, Link>& links)
 {
   Backend& backend = points.backend;
@@ -272,11 +263,12 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   const Shape_unions<Backend> unions =
     unite_shapes(backend, points.ranks, shapes, {Union_gain(options), samples}, links);
   if(unions.member.size() == 0)
-    return;
+    return false;
   const Targets<Backend> target =
     join_members(backend, shapes, unions.member.size(), Members_of_unions{unions.member.data()}, unions.target.data());
   merge_surfels(points, shapes, target);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
+  return true;
 }
 
 } // namespace CGAL::Tandem::internal

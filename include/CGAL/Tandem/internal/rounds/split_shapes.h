@@ -28,10 +28,18 @@ CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_
   return (da < 0 ? -da : da) < (db < 0 ? -db : db);
 }
 
-// The planes of both parts; the first one has more points of the sample.
+// The planes of both parts; the same one twice where none have been found.
 struct Split {
   Plane first, second;
-  std::int64_t gain = 0; // in units of the score; 0: none
+
+  CGAL_TANDEM_HD bool has_in_second(const Grid_point& p) const { return is_nearer(second, first, p); }
+};
+
+// What a split changes: the sum of the weights of points, the points of the second part, the contact of both parts.
+struct Split_account {
+  std::int64_t fit = 0;
+  std::uint64_t second = 0;
+  Contact contact;
 };
 
 // The sampled points of a shape.
@@ -43,52 +51,32 @@ struct Point_sample {
   CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
-// A trial begins with two halves of the sample. Then a plane is fitted to each half, and points go to that of the
-// nearer plane, in turn. By a group of lanes, which share the points of the sample.
-class Split_gain {
+// A trial fits planes to two halves of a sample of the points. By a group of lanes, which share the points of the sample.
+class Split_trials {
 public:
-  static constexpr int starts = 7;
+  static constexpr int starts = 4;
   static constexpr std::int64_t sample_size = tuning::moves::split_sample;
 
-  explicit Split_gain(const Stage_parameters& options)
-    : score_(options.score), tolerance_(options.growth.tolerance), minimum_size_(options.minimum_region_size),
-      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps)),
-      far_steps_(options.maximum_distance_steps / 2)
+  explicit Split_trials(const Stage_parameters& options)
+    : score_(options.score),
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {}
 
   // Whether a shape would be worth its price if it took all squared distances away.
   CGAL_TANDEM_HD bool may_split(const Shape& s) const
   {
-    return s.moments.count >= minimum_size_ &&
-           per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
+    return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
   }
 
-  CGAL_TANDEM_HD Split trial(const Shape& s, const Point_sample& sample, int start) const
+  CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
   {
-    if(!may_gain(s, sample))
-      return Split();
     const Eigen_system axes = eigen_system(s.scatter.matrix);
+    const Plane whole = rounded(s.local);
     const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
-    Halves halves(sample, all, [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start); });
-    Split split;
-    for(int step = 0; step < tuning::moves::split_steps; ++step) {
-      if(halves.first.count < 3 || halves.second.count < 3)
-        return Split();
-      split.first = plane_of(halves.first);
-      split.second = plane_of(halves.second);
-      const Halves next(sample, all, [&](const Grid_point& p) { return is_nearer(split.second, split.first, p); });
-      const bool is_settled = next.second.is_equal(halves.second);
-      halves = next;
-      if(is_settled)
-        break; // planes would be the same
-    }
-    if(halves.first.count < halves.second.count) {
-      const Plane swapped = split.first;
-      split.first = split.second;
-      split.second = swapped;
-    }
-    split.gain = gain(s, sample, split);
-    return split;
+    const Halves halves(sample, all, [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start); });
+    if(halves.first.count < 3 || halves.second.count < 3)
+      return {whole, whole};
+    return {plane_of(halves.first), plane_of(halves.second)};
   }
 
 private:
@@ -117,15 +105,6 @@ private:
     Moments first, second;
   };
 
-  // Whether a split would gain if all points of the sample were on its planes.
-  CGAL_TANDEM_HD bool may_gain(const Shape& s, const Point_sample& sample) const
-  {
-    const Plane before = rounded(s.local);
-    const auto sum = sum_of<std::int64_t>(
-      sample, [&](std::uint32_t i, std::int64_t& part) { part += Score::unit - weight(before, sample, i); });
-    return double(s.moments.count) / double(sample.size) * double(sum) > -double(score_.price());
-  }
-
   CGAL_TANDEM_HD static Plane plane_of(const Moments& m)
   {
     Fitted_moments f;
@@ -134,75 +113,26 @@ private:
     return rounded(f.local);
   }
 
-  // Halves along both axes, of the distance, of the normal along both axes; middle and ends; near and far.
-  CGAL_TANDEM_HD bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start) const
+  // Halves along both axes, of the distance, middle and ends.
+  CGAL_TANDEM_HD static bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start)
   {
     const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
-    const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
-    const double distance = dot(from_center, axes.vector[0]);
-    if(start == 0)
-      return along > 0;
-    if(start == 1)
-      return across > 0;
-    if(start == 2)
-      return distance > 0;
-    if(start == 3 || start == 4) {
-      const Int_vector m = decode_normal(p.normal);
-      const Vector n = {double(m.x), double(m.y), double(m.z)};
-      const double sign = dot(n, axes.vector[0]) < 0 ? -1 : 1;
-      return sign * dot(n, axes.vector[start == 3 ? 2 : 1]) > 0;
-    }
-    if(start == 5)
+    const double along = dot(from_center, axes.vector[2]);
+    if(start == 3)
       return along * along * s.scatter.count > axes.value[2];
-    const double far = far_steps_ * std::sqrt(s.scatter.squared_tolerance);
-    return distance > far || distance < -far;
-  }
-
-  CGAL_TANDEM_HD std::int64_t weight(const Plane& plane, const Point_sample& sample, std::uint32_t i) const
-  {
-    const Tolerance own = tolerance_.at(sample.level(i));
-    return fits(plane, sample[i], own) ? Score::weight({1, own.distance}, signed_distance(plane, sample[i])) : 0;
-  }
-
-  // Of the split; 0 where it is not certain, or a part is too small.
-  CGAL_TANDEM_HD std::int64_t gain(const Shape& s, const Point_sample& sample, const Split& split) const
-  {
-    const Plane before = rounded(s.local);
-    std::int64_t sum = 0, squares = 0, count[2] = {0, 0};
-    for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size()) {
-      const bool second = is_nearer(split.second, split.first, sample[i]);
-      const std::int64_t w = weight(second ? split.second : split.first, sample, i);
-      const std::int64_t change = w - weight(before, sample, i);
-      count[second] += w > 0;
-      sum += change;
-      squares += change * change;
-    }
-    for(std::int64_t* own : {&sum, &squares, &count[0], &count[1]})
-      *own = Lane_group::sum(*own);
-    const std::int64_t n = s.moments.count, size = std::int64_t(sample.size);
-    const std::int64_t first = n * count[0] / size, second = n * count[1] / size;
-    if(2 * first < minimum_size_ || 2 * second < minimum_size_)
-      return 0;
-    const double scale = double(n) / double(size);
-    const double size_change = double(score_.size_bonus(first) + score_.size_bonus(second) - score_.size_bonus(n));
-    const double result = std::fma(scale, double(sum), size_change + double(score_.price()));
-    const double variance = size < n ? scale * scale * double(squares) : 0;
-    return result > 0 && result * result > variance ? std::int64_t(result) : 0;
+    return (start == 0 ? along : dot(from_center, axes.vector[start == 1 ? 1 : 0])) > 0;
   }
 
   Score score_;
-  Tolerance tolerance_;
-  std::int64_t minimum_size_;
   double per_square_; // units of the score for a squared grid step
-  double far_steps_;  // half of epsilon
 };
 
 // Shapes that may gain by a split.
 struct May_split {
   const Shape* shape;
-  Split_gain gain;
+  Split_trials trials;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && gain.may_split(shape[id]); }
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && trials.may_split(shape[id]); }
 };
 
 // The trials of a shape follow each other. A rank makes its own items. By groups of lanes.
@@ -211,15 +141,17 @@ struct Try_splits {
   const std::uint32_t* id; // of the candidates
   const Sampled_point* point;
   const Range* range; // by shape
-  Split_gain gain;
+  Split_trials trials;
   Own_items own;
-  Split* split; // by candidate, then by start
+  Split* split; // by trial
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::uint32_t s = id[i / Split_gain::starts];
+    if(!own.has(i))
+      return;
+    const std::uint32_t s = id[i / Split_trials::starts];
     const Point_sample sample = {point + range[s].first, range[s].size()};
-    const Split result = own.has(i) ? gain.trial(shape[s], sample, int(i % Split_gain::starts)) : Split();
+    const Split result = trials(shape[s], sample, int(i % Split_trials::starts));
     Lane_group::single([&] { split[i] = result; });
   }
 };
@@ -231,8 +163,9 @@ struct Numbered_split {
 
 struct Take_split {
   const Split* split;
+  Own_items own;
 
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return split[i].gain > 0; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return own.has(i); }
   CGAL_TANDEM_HD Numbered_split take(std::uint32_t i) const { return {i, split[i]}; }
 };
 
@@ -243,103 +176,187 @@ struct Put_split {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { split[found[i].number] = found[i].split; }
 };
 
-// The first of the best trials of each candidate goes to its first place.
-struct Choose_split {
-  Split* split;
+// In which parts of its shape a surfel is: a bit for each trial, 0 for shapes that are no candidates.
+struct Choose_parts {
+  const Grid_point* point;
+  const std::uint32_t* label;
+  const std::uint32_t* candidate_of; // by shape
+  const Split* split;                // by trial
+  std::uint8_t* parts;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    Split* const trial = split + i * Split_gain::starts;
-    for(int start = 1; start < Split_gain::starts; ++start)
-      if(trial[start].gain > trial[0].gain)
-        trial[0] = trial[start];
+    const std::uint32_t candidate = label[i] < first_mark ? candidate_of[label[i]] : no_index;
+    unsigned result = 0;
+    for(unsigned t = 0; candidate != no_index && t < Split_trials::starts; ++t)
+      result |= unsigned(split[candidate * Split_trials::starts + t].has_in_second(point[i])) << t;
+    parts[i] = std::uint8_t(result);
   }
 };
 
-struct Links_run {
-  std::uint32_t candidate = no_index;
-  std::uint32_t links = 0;
+// A surfel goes to the part where most of its neighbors of the same shape are; of equally many, it stays. Otherwise the
+// noise of points between two layers would cut links everywhere.
+struct Smooth_parts {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const std::uint8_t* parts;
+  std::uint8_t* smooth;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at);
+    int balance[Split_trials::starts] = {}; // of neighbors in the second and in the first part
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(label[row[j]] == label[i])
+        for(unsigned t = 0; t < Split_trials::starts; ++t)
+          balance[t] += int(parts[row[j]] >> t & 1u) * 2 - 1;
+    unsigned result = parts[i];
+    for(unsigned t = 0; t < Split_trials::starts; ++t)
+      if(balance[t] != 0)
+        result = (result & ~(1u << t)) | unsigned(balance[t] > 0) << t;
+    smooth[i] = std::uint8_t(result);
+  }
 };
 
-// Counts the links between both parts of each candidate.
+struct Accounts_run {
+  std::uint32_t candidate = no_index;
+  Split_account account[Split_trials::starts];
+};
+
+// Sums the accounts of all trials, cell by cell.
 template <class Backend>
-struct Count_cut {
+struct Sum_accounts {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* candidate_of; // by shape
-  const Split* split;
-  std::uint64_t* cut; // by candidate
+  const Plane* plane;                // by shape
+  const Split* split;                // these two by trial
+  Split_account* sum;
+  const std::uint8_t* parts;
+  Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
   {
-    const auto is_split = [&](std::uint32_t s) {
-      return candidate_of[s] != no_index && split[candidate_of[s] * Split_gain::starts].gain > 0;
-    };
-    if(!cells.may_have(block, c, is_split))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return candidate_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
-    const auto add = [&](const Links_run& run) {
-      if(run.links > 0)
-        Backend::atomic_add(cut[run.candidate], std::uint64_t(run.links));
-    };
-    block.template accumulate<Links_run>(
+    const auto add = [&](const Accounts_run& run) { add_to_sum(run); };
+    block.template accumulate<Accounts_run>(
       cell.size(),
-      [&](std::uint32_t at, Links_run& run) {
-        const std::uint32_t i = cell.first + at, s = label[i];
-        if(s >= first_mark || !is_split(s))
+      [&](std::uint32_t at, Accounts_run& run) {
+        const std::uint32_t i = cell.first + at, candidate = label[i] < first_mark ? candidate_of[label[i]] : no_index;
+        if(candidate == no_index)
           return;
-        if(candidate_of[s] != run.candidate) {
-          add(run);
-          run = {candidate_of[s], 0};
+        if(candidate != run.candidate) {
+          add_to_sum(run);
+          run = Accounts_run();
+          run.candidate = candidate;
         }
-        run.links += links(i, split[run.candidate * Split_gain::starts]);
+        account(i, run);
       },
       add);
   }
 
 private:
-  // From surfel i to surfels of the other part of its shape.
-  CGAL_TANDEM_HD std::uint32_t links(std::uint32_t i, const Split& parts) const
+  CGAL_TANDEM_HD void add_to_sum(const Accounts_run& run) const
   {
+    for(std::uint32_t t = 0; run.candidate != no_index && t < Split_trials::starts; ++t) {
+      Split_account& target = sum[run.candidate * Split_trials::starts + t];
+      Backend::atomic_add(target.fit, run.account[t].fit);
+      Backend::atomic_add(target.second, run.account[t].second);
+      Backend::atomic_add(target.contact.links, run.account[t].contact.links);
+      Backend::atomic_add(target.contact.sum, run.account[t].contact.sum);
+    }
+  }
+
+  CGAL_TANDEM_HD void account(std::uint32_t i, Accounts_run& run) const
+  {
+    const Split* const own = split + run.candidate * Split_trials::starts;
+    const std::int64_t points = cloud.surfels.points(i).size();
+    const std::int64_t before = weight(plane[label[i]], i);
+    std::uint32_t cut[Split_trials::starts] = {};
     const std::uint32_t* row = cloud.row(i);
-    const bool is_second = is_nearer(parts.second, parts.first, cloud.point[i]);
-    std::uint32_t result = 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      result += label[row[j]] == label[i] && is_nearer(parts.second, parts.first, cloud.point[row[j]]) != is_second;
-    return result * cloud.surfels.edge_weight(i);
+      if(label[row[j]] == label[i])
+        for(std::uint32_t t = 0; t < Split_trials::starts; ++t)
+          cut[t] += (parts[i] ^ parts[row[j]]) >> t & 1u;
+    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
+      const bool is_second = (parts[i] >> t & 1u) != 0;
+      Split_account& a = run.account[t];
+      a.fit += points * (weight(is_second ? own[t].second : own[t].first, i) - before);
+      a.second += is_second ? std::uint64_t(points) : 0;
+      if(cut[t] > 0)
+        a.contact.add(cut[t] * cloud.surfels.edge_weight(i),
+                      continuity_at(own[t].first, own[t].second, cloud.point[i], cloud.tolerance_of(i, tolerance)));
+    }
   }
-};
 
-struct Is_split {
-  const Split* split;
-  const std::uint64_t* cut;
-  Score score;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  CGAL_TANDEM_HD std::int64_t weight(const Plane& p, std::uint32_t i) const
   {
-    const std::int64_t gain = split[i * Split_gain::starts].gain;
-    return gain > 0 && gain + score.links(std::int64_t(cut[i])) > 0;
+    const Tolerance own = cloud.tolerance_of(i, tolerance);
+    return fits(p, cloud.point[i], own) ? Score::weight({1, own.distance}, signed_distance(p, cloud.point[i])) : 0;
   }
 };
 
-// The new shapes are behind the others. They have no points yet.
+// The first of the best trials of each candidate, with the plane of the larger part first, and what it gains.
+struct Choose_split {
+  const Shape* shape;
+  const std::uint32_t* id; // of the candidates
+  const Split* trial;      // these two by trial
+  const Split_account* account;
+  Score score;
+  Split* split;       // by candidate
+  std::int64_t* gain; // by candidate
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::int64_t n = shape[id[i]].moments.count;
+    std::size_t best = 0;
+    for(std::size_t t = i * Split_trials::starts; t < (i + 1) * Split_trials::starts; ++t) {
+      const std::int64_t g = gain_of(account[t], n);
+      if(t % Split_trials::starts == 0 || g > gain[i]) {
+        best = t;
+        gain[i] = g;
+      }
+    }
+    split[i] = trial[best];
+    if(2 * std::int64_t(account[best].second) > n)
+      split[i] = {trial[best].second, trial[best].first};
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t gain_of(const Split_account& a, std::int64_t n) const
+  {
+    const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
+    const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
+    return (continuity * size + (Contact::one - continuity) * a.fit) / Contact::one + score.price() +
+           score.links(std::int64_t(a.contact.links));
+  }
+};
+
+struct Gains {
+  const std::int64_t* gain;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return gain[i] > 0; }
+};
+
+// The new shapes are behind the others.
 struct Start_half {
-  Shape* shape;
   Plane* plane;
   const std::uint32_t* id;
   const std::uint32_t* accepted; // candidates
-  const Split* split;
-  std::uint32_t* new_id; // by old id
+  const Split* split;            // by candidate
+  std::uint32_t* new_id;         // by old id
   std::uint32_t first_new;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t old = id[accepted[i]], half = first_new + std::uint32_t(i);
-    shape[half] = Shape();
-    plane[old] = split[accepted[i] * Split_gain::starts].first;
-    plane[half] = split[accepted[i] * Split_gain::starts].second;
+    plane[old] = split[accepted[i]].first;
+    plane[half] = split[accepted[i]].second;
     new_id[old] = half;
   }
 };
@@ -359,16 +376,6 @@ struct Choose_half {
   }
 };
 
-// Room for so many shapes in the tables that are read after the loop.
-template <class Backend>
-void reserve_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t size)
-{
-  if(size <= shapes.table().size())
-    return;
-  shapes.table() = extended<Shape>(backend, shapes.table(), size + size / 2);
-  shapes.plane = extended<Plane>(backend, shapes.plane, size + size / 2);
-}
-
 // Splits by the accepted candidates.
 template <class Backend>
 struct Found_splits {
@@ -381,35 +388,45 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
                                   const Stage_parameters& options)
 {
   Backend& backend = points.backend;
-  const Split_gain gain(options);
+  const Split_trials trials(options);
   Found_splits<Backend> found;
-  found.id = backend.compact(shapes.size, May_split{shapes.fitted(), gain});
+  found.id = backend.compact(shapes.size, May_split{shapes.fitted(), trials});
   if(found.id.size() == 0)
     return found;
   Buffer_of<Backend, std::uint32_t>& id = found.id;
   auto bound = filled_buffer(backend, shapes.size, std::uint32_t(0));
-  backend.for_each(id.size(), Bound_samples{shapes.fitted(), id.data(), Split_gain::sample_size, bound.data()});
+  backend.for_each(id.size(), Bound_samples{shapes.fitted(), id.data(), Split_trials::sample_size, bound.data()});
   const Sorted_samples<Backend> sample =
     sorted_samples(backend, shapes.size,
                    collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
                                                Take_sampled{points.cloud.view(), points.label(), bound.data()}));
-  found.split.reset(id.size() * Split_gain::starts);
-  for_each_by_group(backend, found.split.size(),
-                    Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), gain,
-                               points.ranks.own_items(), found.split.data()});
+  Buffer_of<Backend, Split> trial(id.size() * Split_trials::starts);
+  for_each_by_group(backend, trial.size(),
+                    Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), trials,
+                               points.ranks.own_items(), trial.data()});
   if constexpr(Ranks<Backend>::are_many) {
-    const auto all =
-      collect_of_all<Numbered_split>(backend, points.ranks, found.split.size(), Take_split{found.split.data()});
-    backend.for_each(all.size(), Put_split{all.data(), found.split.data()});
+    const auto all = collect_of_all<Numbered_split>(backend, points.ranks, trial.size(),
+                                                    Take_split{trial.data(), points.ranks.own_items()});
+    backend.for_each(all.size(), Put_split{all.data(), trial.data()});
   }
-  backend.for_each(id.size(), Choose_split{found.split.data()});
   const auto candidate_of = places_of(backend, shapes.size, id);
-  auto cut = filled_buffer(backend, id.size(), std::uint64_t(0));
+  Buffer_of<Backend, std::uint8_t> parts(points.cloud.size_with_ghosts());
+  backend.for_each(parts.size(), Choose_parts{points.cloud.point.data(), points.label(), candidate_of.data(),
+                                              trial.data(), parts.data()});
+  Buffer_of<Backend, std::uint8_t> smooth(parts.size());
+  backend.for_each(points.cloud.number_of_surfels(),
+                   Smooth_parts{points.cloud.view(), points.label(), parts.data(), smooth.data()});
+  auto account = filled_buffer(backend, trial.size(), Split_account());
   backend.template for_each_cell<No_scratch>(
-    points.number_of_parts(), Count_cut<Backend>{points.cloud.view(), points.listed_parts(), points.label(),
-                                                 candidate_of.data(), found.split.data(), cut.data()});
-  points.ranks.sum(cut.data(), cut.size());
-  found.accepted = backend.compact(id.size(), Is_split{found.split.data(), cut.data(), options.score});
+    points.number_of_parts(),
+    Sum_accounts<Backend>{points.cloud.view(), points.listed_parts(), points.label(), candidate_of.data(),
+                          shapes.plane.data(), trial.data(), account.data(), smooth.data(), options.growth.tolerance});
+  points.ranks.sum(reinterpret_cast<std::uint64_t*>(account.data()), account.size() * sizeof(Split_account) / 8);
+  found.split.reset(id.size());
+  Buffer_of<Backend, std::int64_t> gain(id.size());
+  backend.for_each(id.size(), Choose_split{shapes.fitted(), id.data(), trial.data(), account.data(), options.score,
+                                           found.split.data(), gain.data()});
+  found.accepted = backend.compact(id.size(), Gains{gain.data()});
   return found;
 }
 
@@ -419,15 +436,13 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits | tables::lists);
   const Found_splits<Backend> found = find_splits(points, shapes, options);
-  const std::size_t number = found.accepted.size(), first_new = shapes.size;
+  const std::size_t number = found.accepted.size();
   if(number == 0)
     return;
-  reserve_shapes(backend, shapes, first_new + number);
+  const std::size_t first_new = add_shapes(backend, shapes, number);
   auto new_id = filled_buffer(backend, first_new, no_index);
-  backend.for_each(number,
-                   Start_half{shapes.change_moments(), shapes.plane.data(), found.id.data(), found.accepted.data(),
-                              found.split.data(), new_id.data(), std::uint32_t(first_new)});
-  shapes.size = first_new + number;
+  backend.for_each(number, Start_half{shapes.plane.data(), found.id.data(), found.accepted.data(), found.split.data(),
+                                      new_id.data(), std::uint32_t(first_new)});
   Buffer_of<Backend, std::uint32_t> chosen(points.cloud.number_of_surfels());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),
                                               shapes.plane.data(), chosen.data()});

@@ -156,6 +156,36 @@ private:
   Freedom_worth freedom_;
 };
 
+// How continuous the surface of two planes is at a point: 1 where they meet, 0 where the step between them is epsilon or
+// more. It is the product of the weights that the ends of a link have on the planes of each other.
+CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b, const Grid_point& p,
+                                                 const Tolerance& t)
+{
+  const std::int64_t sign = normal_product(a, {b.nx, b.ny, b.nz}) < 0 ? -1 : 1;
+  const std::int64_t w = Score::weight({1, t.distance}, signed_distance(a, p) - sign * signed_distance(b, p));
+  return w * w / Score::unit;
+}
+
+// The contact of two shapes, or of two parts of one: its links, and the sum of the continuity at these. Of what a union
+// changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, the fit as far as it is not.
+// So a slight bend is no reason to cut a face, and size is no reason to join layers.
+struct Contact {
+  static constexpr std::int64_t one = 256;
+
+  std::uint64_t links = 0, sum = 0;
+
+  CGAL_TANDEM_HD void add(std::uint64_t more, std::int64_t continuity)
+  {
+    links += more;
+    sum += more * std::uint64_t(continuity);
+  }
+  // Of one: the mean.
+  CGAL_TANDEM_HD std::int64_t continuity() const
+  {
+    return links > 0 ? std::int64_t(sum / links) / (Score::unit / one) : 0;
+  }
+};
+
 } // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SCORE_SCORE_H

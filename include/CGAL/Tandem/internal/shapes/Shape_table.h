@@ -189,6 +189,27 @@ void add_deltas(Backend& backend, Shape_table<Backend>& shapes)
   for_each_shape(backend, shapes, Add_deltas{shapes.change_moments(), shapes.delta.data()});
 }
 
+struct Start_shape {
+  Shape* shape;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { shape[i] = Shape(); }
+};
+
+// So many shapes without points more, where tables are read after the loop. Returns the first of their ids, which
+// follow each other.
+template <class Backend>
+std::size_t add_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t number)
+{
+  const std::size_t first = shapes.size, size = first + number;
+  if(size > shapes.table().size()) {
+    shapes.table() = extended<Shape>(backend, shapes.table(), size + size / 2);
+    shapes.plane = extended<Plane>(backend, shapes.plane, size + size / 2);
+  }
+  shapes.size = size;
+  backend.for_each(number, Start_shape{shapes.change_moments() + first});
+  return first;
+}
+
 } // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H

@@ -9,18 +9,19 @@
 
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/keys.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <algorithm>
 
 namespace CGAL::Tandem::internal {
 
-// A pair of shapes and the number of edges of the neighbor graph between their surfels.
+// A pair of shapes, and their contact, whose links are the edges of the neighbor graph between their surfels.
 struct Link {
   static constexpr std::uint64_t none = ~std::uint64_t(0);
 
   std::uint64_t pair = none; // smaller id << 32 | larger id
-  std::uint32_t count = 0;
+  Contact contact;
 
   CGAL_TANDEM_HD std::uint32_t first() const { return std::uint32_t(pair >> 32); }
   CGAL_TANDEM_HD std::uint32_t second() const { return std::uint32_t(pair); }
@@ -35,7 +36,7 @@ struct Link_set {
   std::uint32_t size; // a power of two
   std::uint32_t* lost;
 
-  CGAL_TANDEM_HD void add(std::uint64_t pair, std::uint32_t count) const
+  CGAL_TANDEM_HD void add(std::uint64_t pair, const Contact& contact) const
   {
     constexpr std::uint32_t maximum_probes = 64;
     std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 32);
@@ -43,7 +44,8 @@ struct Link_set {
       Link& l = link[slot & (size - 1)];
       const std::uint64_t old = Backend::atomic_exchange_if(l.pair, +Link::none, pair);
       if(old == Link::none || old == pair) {
-        Backend::atomic_add(l.count, count);
+        Backend::atomic_add(l.contact.links, contact.links);
+        Backend::atomic_add(l.contact.sum, contact.sum);
         return;
       }
     }
@@ -69,6 +71,8 @@ struct Collect_links {
   std::uint8_t* state;
   const std::uint8_t* is_selected; // by shape
   Link_set<Backend> links;
+  const Plane* plane; // by shape
+  Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
@@ -79,8 +83,8 @@ struct Collect_links {
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = Link(); });
     block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) {
-      if(scratch.link[i].count > 0)
-        links.add(scratch.link[i].pair, scratch.link[i].count);
+      if(scratch.link[i].contact.links > 0)
+        links.add(scratch.link[i].pair, scratch.link[i].contact);
     });
   }
 
@@ -100,29 +104,35 @@ private:
       const std::uint32_t t = label[row[j]];
       all_same = all_same && t == s;
       if(t != last) {
-        count(block, scratch, s, last, edges);
+        count(block, scratch, i, last, edges);
         last = t;
         edges = 0;
       }
       edges += points;
     }
-    count(block, scratch, s, last, edges);
+    count(block, scratch, i, last, edges);
     if(all_same)
       state[i] |= interior_bit;
   }
 
+  // So many edges from surfel i to surfels of shape t.
   template <class Block>
-  CGAL_TANDEM_HD void count(Block& block, Link_scratch& scratch, std::uint32_t s, std::uint32_t t,
+  CGAL_TANDEM_HD void count(Block& block, Link_scratch& scratch, std::uint32_t i, std::uint32_t t,
                             std::uint32_t edges) const
   {
+    const std::uint32_t s = label[i];
     if(t >= first_mark || t == s || edges == 0)
       return;
+    Contact contact;
+    contact.add(edges, continuity_at(plane[s], plane[t], cloud.point[i], cloud.tolerance_of(i, tolerance)));
     const std::uint64_t pair = unordered_pair(s, t);
     Link& slot = scratch.link[std::uint32_t(hash_of_pair(pair) >> 56)];
-    if(!block.count_pair(slot.pair, slot.count, pair))
-      links.add(pair, edges);
-    else if(edges > 1)
-      block.add(slot.count, edges - 1);
+    if(!block.count_pair(slot.pair, slot.contact.links, pair))
+      return links.add(pair, contact);
+    if(edges > 1)
+      block.add(slot.contact.links, contact.links - 1);
+    if(contact.sum > 0)
+      block.add(slot.contact.sum, contact.sum);
   }
 };
 
@@ -148,7 +158,7 @@ struct Take_links {
   const std::uint32_t* lost;
   std::uint32_t minimum;
 
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return *lost > 0 || link[i].count >= minimum; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return *lost > 0 || link[i].contact.links >= minimum; }
   CGAL_TANDEM_HD Link take(std::uint32_t i) const { return link[i]; }
 };
 
@@ -156,8 +166,8 @@ inline void append(std::vector<Link>& links, const Link& link)
 {
   if(links.empty() || links.back().pair != link.pair)
     return links.push_back(link);
-  const std::uint64_t count = std::uint64_t(links.back().count) + link.count;
-  links.back().count = std::uint32_t((std::min)(count, std::uint64_t(0xffffffffu)));
+  links.back().contact.links += link.contact.links;
+  links.back().contact.sum += link.contact.sum;
 }
 
 // Of all links of the ranks, those with enough edges, by pair.
@@ -168,7 +178,7 @@ Buffer_of<Backend, Link> join_links(Backend& backend, const Ranks<Backend>& rank
   std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   for(const Link& link : all)
     append(joined, link);
-  const auto is_weak = [](const Link& link) { return link.count < tuning::moves::minimum_edges; };
+  const auto is_weak = [](const Link& link) { return link.contact.links < tuning::moves::minimum_edges; };
   joined.erase(std::remove_if(joined.begin(), joined.end(), is_weak), joined.end());
   return to_buffer(backend, joined);
 }
@@ -176,8 +186,8 @@ Buffer_of<Backend, Link> join_links(Backend& backend, const Ranks<Backend>& rank
 // The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
 // counted again with a larger one. Interior surfels found by then have no links, so none is lost.
 template <class Backend>
-Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
-                                       Phase phase)
+Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                       const Tolerance& tolerance, Links which, Phase phase)
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::moments | tables::lists);
@@ -198,7 +208,9 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
                                                        points.label(),
                                                        state,
                                                        is_selected.data(),
-                                                       {table.data(), std::uint32_t(size), lost.data()}});
+                                                       {table.data(), std::uint32_t(size), lost.data()},
+                                                       shapes.plane.data(),
+                                                       tolerance});
     points.ranks.sum(lost.data(), 1);
     constexpr bool are_many = Ranks<Backend>::are_many;
     constexpr std::uint32_t minimum = are_many ? 1 : tuning::moves::minimum_edges;

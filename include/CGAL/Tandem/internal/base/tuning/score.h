@@ -44,14 +44,11 @@ constexpr std::uint32_t minimum_edges = 2;
 constexpr Ratio misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
-// Points of the sample in which the two planes of a split are sought, and how often they are fitted.
+// Points of the sample to whose halves the two planes of a split are fitted.
 constexpr std::int64_t split_sample = 256;
-constexpr int split_steps = 5;
-// A shape needs at least this ratio of the neighbors of its points within epsilon of its plane. Planes through clutter
-// have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
-constexpr Ratio near_neighbors = {11, 20};
-// Largest rms of a shape of low noise, in epsilons: its points are no clutter to others.
-constexpr double low_noise_rms = 0.4;
+// What a neighbor beyond epsilon of a plane costs, in the weights of a point, if all neighbors are. 3: faces with noisy
+// normals are dropped. 1: planes through trees stay.
+constexpr std::int64_t far_neighbor = 2;
 
 } // namespace moves
 

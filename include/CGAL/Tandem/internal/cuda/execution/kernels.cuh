@@ -174,7 +174,11 @@ struct Cuda_block {
 
   __device__ std::uint32_t fetch_min(std::uint32_t& target, std::uint32_t value) { return atomicMin(&target, value); }
 
-  __device__ void add(std::uint32_t& target, std::uint32_t value) { atomicAdd(&target, value); }
+  template <class T>
+  __device__ void add(T& target, T value)
+  {
+    atomicAdd(atomic_address(target), value);
+  }
 
   __device__ std::uint32_t append(std::uint32_t& size) { return atomicAdd(&size, 1u); }
 
@@ -186,7 +190,8 @@ struct Cuda_block {
   }
 
   // A slot is taken once and keeps its value, so a read that finds one needs no exchange.
-  __device__ bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
+  template <class T>
+  __device__ bool count_pair(std::uint64_t& slot, T& count, std::uint64_t value)
   {
     const std::uint64_t none = ~std::uint64_t(0);
     std::uint64_t owner = *static_cast<const volatile std::uint64_t*>(&slot);
@@ -194,7 +199,7 @@ struct Cuda_block {
       owner = atomicCAS(atomic_address(slot), none, value);
     if(owner != none && owner != value)
       return false;
-    atomicAdd(&count, 1u);
+    add(count, T(1));
     return true;
   }
 
