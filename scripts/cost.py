@@ -11,7 +11,7 @@ import sys
 # new, is no fault.
 FUNCTIONS = """sort_points find_neighbors estimate_normals find_border order_seeds grow_cells collect_links sample_shapes
   merge_by_gain regularize_shapes apply_planes split_shapes raise_score regularize_finally choose_edge_sides
-  free_small_components center_shapes extract_shapes""".split()
+  separate_components free_clutter center_shapes extract_shapes""".split()
 
 
 def short(name):

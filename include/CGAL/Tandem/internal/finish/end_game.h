@@ -160,7 +160,6 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
   assign(shapes, options);
-  drop_small(points, shapes, options.minimum_region_size);
   return relations;
 }
 
@@ -175,7 +174,6 @@ void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   center_planes(summarize(backend, shapes, to_buffer(backend, relations.id)), relations.relations);
   apply_relations(backend, shapes, relations);
   detach_misfits(points, shapes, options.growth.tolerance);
-  drop_small(points, shapes, options.minimum_region_size);
 }
 
 // Returns the relations of the live shapes. It runs to its end even if the callback cancels, so that what it has is

@@ -171,19 +171,6 @@ void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, P
   merge_surfels(points, shapes, target);
 }
 
-struct Is_below {
-  std::int64_t size;
-
-  CGAL_TANDEM_HD bool operator()(const Shape& shape) const { return shape.moments.count < size; }
-};
-
-// Dissolves the shapes of less than `minimum_size` points; their surfels are free again.
-template <class Backend>
-void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
-{
-  drop_shapes(points, shapes, Is_below{minimum_size});
-}
-
 // Rounds the plane of a shape, and restarts the shape if the plane has moved far.
 struct Apply_plane {
   Shape* shape;
