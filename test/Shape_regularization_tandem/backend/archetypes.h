@@ -95,10 +95,16 @@ struct Block {
   }
   std::uint32_t load(const std::uint32_t&) { return 0; }
   std::uint32_t fetch_min(std::uint32_t&, std::uint32_t) { return 0; }
-  void add(std::uint32_t&, std::uint32_t) {}
+  template <class T>
+  void add(T&, T)
+  {}
   std::uint32_t append(std::uint32_t&) { return 0; }
   std::uint32_t exchange_if(std::uint32_t&, std::uint32_t, std::uint32_t) { return 0; }
-  bool count_pair(std::uint64_t&, std::uint32_t&, std::uint64_t) { return false; }
+  template <class T>
+  bool count_pair(std::uint64_t&, T&, std::uint64_t)
+  {
+    return false;
+  }
   void add_moments(Cell_moments&, const Cell_moments&) {}
   void add_box(Box&, const Box&) {}
 };

@@ -38,7 +38,7 @@ void check_coplanar(std::uint32_t n, std::size_t number)
   for(std::size_t l = 0; l < 2 * number; ++l) {
     const std::uint32_t a = std::uint32_t(random() % n), b = (std::min)(a + std::uint32_t(random() % 50), n - 1);
     if(shape[a].is_live() && shape[b].is_live())
-      link.insert(link.end(), 1 + l % 2, {std::uint64_t(a) << 32 | b, 2});
+      link.insert(link.end(), 1 + l % 2, {std::uint64_t(a) << 32 | b, {2}});
   }
   std::shuffle(link.begin(), link.end(), random);
   Ids expected(n);

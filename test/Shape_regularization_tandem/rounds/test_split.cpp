@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Splits against plain loops: which shapes split, which planes their parts have, and what becomes of points, shapes and
-// lists. What a split gains is compared with the score before and after, of shapes that have to split: two layers, a
-// roof of a small angle, faces of different normals. And some that must not.
+// Splits against plain loops: parts and what they change, which shapes split, which planes their parts have, and what
+// becomes of points, shapes and lists. Of layers and steps, which have to split, and of faces that must not.
 
 #include "testing/body_fixture.h"
 #include "testing/same_bits.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cmath>
 #include <set>
 #include <string>
@@ -27,39 +27,93 @@ using Labels = std::vector<std::uint32_t>;
 
 bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d; }
 
+// The definition of one trial, by surfels that stand for these numbers of points.
+struct Slow_trial {
+  std::vector<char> nearest, smooth; // whether a surfel is in the second part
+  Split_account account;
+
+  Slow_trial(const Fixture& f, std::uint32_t id, const Split& split, const std::vector<std::uint32_t>& points)
+    : nearest(f.label.size(), 0)
+  {
+    const auto distance = [&](const Plane& p, std::uint32_t i) { return std::abs(signed_distance(p, f.point[i])); };
+    for(std::uint32_t i = 0; i < f.label.size(); ++i)
+      nearest[i] = f.label[i] == id && distance(split.second, i) < distance(split.first, i);
+    smooth = nearest;
+    for(std::uint32_t i = 0; i < f.label.size(); ++i) {
+      int number[2] = {0, 0};
+      f.for_each_neighbor(i, [&](std::uint32_t q) { number[int(nearest[q])] += f.label[q] == id; });
+      if(f.label[i] == id && number[0] != number[1])
+        smooth[i] = number[1] > number[0];
+    }
+    const auto weight = [&](const Plane& p, std::uint32_t i) {
+      const Tolerance t = f.tolerance_of(i);
+      return fits(p, f.point[i], t) ? Score::weight({1, t.distance}, signed_distance(p, f.point[i])) : 0;
+    };
+    for(std::uint32_t i = 0; i < f.label.size(); ++i) {
+      if(f.label[i] != id)
+        continue;
+      account.fit += points[i] * (weight(smooth[i] ? split.second : split.first, i) - weight(f.plane[id], i));
+      account.second += smooth[i] ? points[i] : 0;
+      const std::int64_t c = continuity_at(split.first, split.second, f.point[i], f.tolerance_of(i));
+      f.for_each_neighbor(i, [&](std::uint32_t q) {
+        if(f.label[q] == id && smooth[q] != smooth[i])
+          account.contact.add(points[i], c);
+      });
+    }
+  }
+
+  // Of the n points of the shape.
+  double gain(double n, const Stage_parameters& options) const
+  {
+    const auto bonus = [&](double size) { return double(options.score.size_bonus(std::int64_t(size))); };
+    const double second = double(account.second), links = double(account.contact.links);
+    const double c = std::floor(256 * double(account.contact.sum) / Score::unit / (std::max)(links, 1.)) / 256;
+    return std::trunc(c * (bonus(n - second) + bonus(second) - bonus(n)) + (1 - c) * double(account.fit)) +
+           double(options.score.price() + options.score.links(std::int64_t(links)));
+  }
+};
+
 struct Slow_split {
   std::uint32_t id;
   Split best;
-  bool is_accepted;
+  double gain;
 };
 
-// The definition: all shapes that may split, by rising id.
+// All shapes that may split, by rising id: those whose squared distances count more than the price of a shape.
 std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& shape, const Stage_parameters& options,
                                     std::uint32_t first)
 {
-  const Split_gain gain(options);
+  const Split_trials trials(options);
+  const std::vector<std::uint32_t> ones(f.label.size(), 1);
   std::vector<Slow_split> result;
   for(std::uint32_t id = 0; id < shape.size(); ++id) {
-    if(!shape[id].is_live() || !gain.may_split(shape[id]))
-      continue;
     std::vector<Sampled_point> sample;
+    double squares = 0;
     for(std::uint32_t i = 0; i < f.label.size(); ++i)
-      if(f.label[i] == id && hash_of_position(first + i) <= sample_bound(shape[id], Split_gain::sample_size))
-        sample.push_back({hash_of_position(first + i), f.level_of(i), f.point[i]});
+      if(f.label[i] == id) {
+        const double d = double(signed_distance(rounded(shape[id].local), f.point[i])) / double(f.tolerance.distance);
+        squares += d * d;
+        if(hash_of_position(first + i) <= sample_bound(shape[id], Split_trials::sample_size))
+          sample.push_back({hash_of_position(first + i), f.level_of(i), f.point[i]});
+      }
+    const double price = .3 * double(options.minimum_region_size);
+    const bool may_split = shape[id].is_live() && trials.may_split(shape[id]);
+    CHECK_AT(!f.level.empty() || may_split == (squares > price) || std::fabs(squares - price) < .01 * price,
+             f.name + ": whether a shape may split");
+    if(!may_split)
+      continue;
     std::sort(sample.begin(), sample.end(), [](const auto& a, const auto& b) { return a.hash < b.hash; });
-    Split best;
-    for(int start = 0; start < Split_gain::starts; ++start) {
-      const Split split = gain.trial(shape[id], {sample.data(), std::uint32_t(sample.size())}, start);
-      if(split.gain > best.gain)
-        best = split;
+    Slow_split best = {id, {}, -HUGE_VAL};
+    for(int start = 0; start < Split_trials::starts; ++start) {
+      Split split = trials(shape[id], {sample.data(), std::uint32_t(sample.size())}, start);
+      const Slow_trial trial(f, id, split, ones);
+      const double n = double(shape[id].moments.count), gain = trial.gain(n, options);
+      if(2 * double(trial.account.second) > n)
+        std::swap(split.first, split.second);
+      if(gain > best.gain)
+        best = {id, split, gain};
     }
-    const auto is_second = [&](std::uint32_t i) { return is_nearer(best.second, best.first, f.point[i]); };
-    std::int64_t cut = 0; // links between both parts
-    for(std::uint32_t i = 0; i < f.label.size() && best.gain > 0; ++i)
-      if(f.label[i] == id)
-        f.for_each_neighbor(i, [&](std::uint32_t j) { cut += f.label[j] == id && is_second(i) != is_second(j); });
-    // Half a point for all of a point.
-    result.push_back({id, best, best.gain > cut * (Score::unit / 2) / f.cloud.k});
+    result.push_back(best);
   }
   return result;
 }
@@ -102,22 +156,28 @@ void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   }
 }
 
-// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do
-// not although they would gain by their planes.
+Stage_parameters split_options(const Fixture& f, std::int64_t minimum_size)
+{
+  Stage_parameters o = Stage_parameters();
+  o.score = Score(std::uint64_t(minimum_size), f.cloud.k);
+  o.minimum_region_size = minimum_size;
+  o.maximum_distance_steps = double(f.tolerance.distance) / normal_scale;
+  o.growth.tolerance = f.tolerance;
+  return o;
+}
+
+// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many of those that may split
+// do, and how many do not.
 std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
 {
-  Stage_parameters options = Stage_parameters();
-  options.score = Score(30, f.cloud.k);
-  options.minimum_region_size = 30;
-  options.maximum_distance_steps = double(f.tolerance.distance) / normal_scale;
-  options.growth.tolerance = f.tolerance;
+  const Stage_parameters options = split_options(f, 30);
   const std::vector<Shape> shape = fitted_shapes(f, f.plane.size());
   const std::vector<Slow_split> expected = slow_splits(f, shape, options, first);
   Fixture after = f;
   std::array<int, 2> count = {0, 0};
   for(const Slow_split& s : expected) {
-    count[s.is_accepted ? 0 : 1] += s.best.gain > 0;
-    if(!s.is_accepted)
+    ++count[s.gain > 0 ? 0 : 1];
+    if(s.gain <= 0)
       continue;
     for(std::uint32_t i = 0; i < after.label.size(); ++i)
       if(after.label[i] == s.id && is_nearer(s.best.second, s.best.first, f.point[i]))
@@ -164,145 +224,127 @@ BOOST_AUTO_TEST_CASE(bodies)
   }
 }
 
-constexpr double epsilon = 60; // grid steps
-constexpr std::int64_t minimum_size = 100;
-
-Stage_parameters split_options(int k)
+// Parts, smoothed ones, and accounts of all trials. Every second shape is a candidate; surfels stand for up to three
+// points.
+BOOST_AUTO_TEST_CASE(parts_and_accounts)
 {
-  Stage_parameters o = Stage_parameters();
-  o.score = Score(std::uint64_t(minimum_size), k);
-  o.minimum_region_size = minimum_size;
-  o.maximum_distance_steps = epsilon;
-  o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
-  return o;
+  constexpr std::uint32_t starts = Split_trials::starts;
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    const std::uint32_t n = f.cloud.size, shapes = std::uint32_t(f.plane.size());
+    std::vector<std::uint32_t> points, first = {0}, candidate_of;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      points.push_back(1 + i % 3);
+      first.push_back(first.back() + points.back());
+    }
+    std::vector<Split> split;
+    std::vector<Split_account> expected;
+    std::vector<std::uint8_t> nearest(n, 0), smooth(n, 0);
+    for(std::uint32_t s = 0; s < shapes; ++s) {
+      candidate_of.push_back(s % 2 == 0 ? s / 2 : no_index);
+      for(std::uint32_t t = 0; s % 2 == 0 && t < starts; ++t) {
+        Split planes = {f.plane[s], f.plane[t < 2 ? s : (s + t) % shapes]};
+        planes.second.d += f.tolerance.distance / 3 * (t + 1);
+        split.push_back(planes);
+        const Slow_trial slow(f, s, planes, points);
+        expected.push_back(slow.account);
+        for(std::uint32_t i = 0; i < n; ++i) {
+          nearest[i] = std::uint8_t(nearest[i] | slow.nearest[i] << t);
+          smooth[i] = std::uint8_t(smooth[i] | slow.smooth[i] << t);
+        }
+      }
+    }
+    Cloud_view cloud = f.cloud;
+    cloud.surfels.first = first.data();
+    std::vector<std::uint8_t> parts(n);
+    backend.for_each(n, Choose_parts{f.point.data(), f.label.data(), candidate_of.data(), split.data(), parts.data()});
+    check_lists(parts, nearest, name + ": parts");
+    backend.for_each(n, Smooth_parts{cloud, f.label.data(), nearest.data(), parts.data()});
+    for(std::uint32_t i = 0; i < n; ++i) // of others, they do not matter
+      CHECK_AT(parts[i] == smooth[i] || f.label[i] >= first_mark || f.label[i] % 2 != 0, name + ": smoothed parts");
+    CHECK_AT(n < 100 || smooth != nearest, name + ": nothing to smooth");
+    std::vector<Split_account> got(split.size());
+    backend.template for_each_cell<No_scratch>(3 * f.cells.size(),
+                                               Sum_accounts<decltype(backend)>{cloud,
+                                                                               {f.cells.data(), f.lists.data(), 3},
+                                                                               f.label.data(),
+                                                                               candidate_of.data(),
+                                                                               f.plane.data(),
+                                                                               split.data(),
+                                                                               got.data(),
+                                                                               parts.data(),
+                                                                               f.tolerance});
+    for(std::size_t t = 0; t < got.size(); ++t) {
+      const std::string where = name + ", trial " + std::to_string(t) + ": ";
+      check_equal(got[t].fit, expected[t].fit, where + "fit");
+      check_equal(got[t].second, expected[t].second, where + "points of the second part");
+      check_equal(got[t].contact.links, expected[t].contact.links, where + "links");
+      check_equal(got[t].contact.sum, expected[t].contact.sum, where + "continuity");
+    }
+  });
 }
 
-// Points of a square. Heights and noise are in epsilons.
+constexpr double epsilon = 60; // grid steps
+
+// Points of a rectangle. Heights and noise are in epsilons; faces are layers, or side by side.
 struct Scene {
   const char* name;
   int points;
-  double width;
-  double gap;   // between layers, of which the second one has two points of five
-  double ridge; // over the eaves, where both faces meet
+  double width, depth;
+  double step; // of the second face, which has less points
+  double bend; // of the second half
   double noise;
-  bool is_sharp; // normals are those of the faces
-  bool gains;    // without links
+  enum Place { over, right, behind, middle } place;
+  bool splits;
 
-  std::vector<Grid_point> point = {};
-  std::vector<int> face = {}; // by point; -1: either
-
-  bool has_faces() const { return gap >= 1 || ridge > 0; }
-
-  void make()
+  int face(int i, double x, double y) const
   {
-    scenes::Random random(5);
-    for(int i = 0; i < points; ++i) {
-      const double x = random.uniform(), from_ridge = x - .5, slope = 2 * ridge * epsilon / width;
-      face.push_back(ridge == 0 ? i % 5 < 2 : std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0);
-      const double z = face.back() * gap + ridge * (1 - std::fabs(2 * from_ridge)) + noise * random.gaussian();
-      point.push_back({std::int32_t(width * x), std::int32_t(width * random.uniform()),
-                       std::int32_t(std::lround(epsilon * z)),
-                       encode_normal({!is_sharp        ? 0
-                                      : from_ridge > 0 ? slope
-                                                       : -slope,
-                                      0, 1})});
-    }
+    return place == over ? i % 5 < 2 : place == middle ? std::fabs(x - .5) < .2 : (place == right ? x : y) > .52;
   }
 };
 
-// The definition of what a split gains, without links, in units of the score: as many points as the shape has are like
-// those of the sample. And its standard deviation, which is 0 for all points.
-std::pair<double, double> slow_gain(const std::vector<Sampled_point>& sample, const Shape& shape, const Split& split,
-                                    const Stage_parameters& o)
-{
-  const auto weight = [&](const Plane& plane, const Grid_point& p) {
-    const double d = double(signed_distance(plane, p)) / double(o.growth.tolerance.distance);
-    return fits(plane, p, o.growth.tolerance) ? 1 - d * d : 0;
-  };
-  const auto bonus = [](double n) { return Parameters().simplicity * n * std::log2(n / double(minimum_size)); };
-  const double n = double(shape.moments.count), scale = n / double(sample.size());
-  double sum = 0, squares = 0, count[2] = {0, 0};
-  for(const Sampled_point& s : sample) {
-    const double first = std::fabs(double(signed_distance(split.first, s.point)));
-    const bool second = std::fabs(double(signed_distance(split.second, s.point))) < first;
-    const double w = weight(second ? split.second : split.first, s.point);
-    const double change = w - weight(rounded(shape.local), s.point);
-    sum += change;
-    squares += change * change;
-    count[second] += w > 0 ? scale : 0;
-  }
-  const double gain = scale * sum + bonus(count[0]) + bonus(count[1]) - bonus(n) - .3 * double(minimum_size);
-  return {double(Score::unit) * (std::min(count[0], count[1]) < double(minimum_size) / 2 ? 0 : gain),
-          double(Score::unit) * (scale > 1 ? scale * std::sqrt(squares) : 0)};
-}
-
-// Whether any start gains, by the first points of the scene. A gain has to be more than its standard deviation. The
-// first part of the best split is the larger one; where there are faces, each part has the points of one.
-bool gains(const Scene& scene, std::size_t sample_size)
-{
-  const Stage_parameters options = split_options(12);
-  Shape shape;
-  std::vector<Sampled_point> sample;
-  for(const Grid_point& p : scene.point) {
-    shape.moments.add(p);
-    if(sample.size() < sample_size)
-      sample.push_back({std::uint32_t(sample.size()), 0, p});
-  }
-  refit(shape);
-  Split best;
-  for(int start = 0; start < Split_gain::starts; ++start) {
-    const Split split = Split_gain(options).trial(shape, {sample.data(), std::uint32_t(sample.size())}, start);
-    if(split.gain == 0)
-      continue;
-    const auto [expected, deviation] = slow_gain(sample, shape, split, options);
-    const std::string where = scene.name + (", start " + std::to_string(start));
-    check_close(double(split.gain) / double(Score::unit), expected / double(Score::unit), 1e-3 * scene.points + 2,
-                where + ": gain");
-    CHECK_AT(expected > .99 * deviation, where + ": a gain that is not certain");
-    if(split.gain > best.gain)
-      best = split;
-  }
-  std::size_t of_face[2][2] = {{0, 0}, {0, 0}}, number[2] = {0, 0};
-  for(std::size_t i = 0; i < scene.point.size(); ++i) {
-    const bool is_second = is_nearer(best.second, best.first, scene.point[i]);
-    ++number[is_second];
-    if(scene.face[i] >= 0)
-      ++of_face[is_second][scene.face[i]];
-  }
-  CHECK_AT(best.gain == 0 || 10 * number[0] > 9 * number[1], scene.name + ": the second part is larger"s);
-  CHECK_AT(best.gain == 0 || !scene.has_faces() || of_face[0][1] + of_face[1][0] == 0 ||
-             of_face[0][0] + of_face[1][1] == 0,
-           scene.name + ": points in the part of the other face"s);
-  return best.gain > 0;
-}
-
+// A shape that has all points: it splits into the faces of the scene, or stays whole.
 BOOST_AUTO_TEST_CASE(scenes_of_two_faces)
 {
-  for(Scene scene : {Scene{"layers", 2000, 1000, 1.5, 0, .125, false, true},
-                     {"large layers", 20000, 3000, 1.5, 0, .125, false, true},
-                     {"a low roof", 2000, 4000, 0, 3, .125, false, true},
-                     {"faces of different normals", 2000, 4000, 0, 20, .125, true, true},
-                     {"a plane", 2000, 4000, 0, 0, .125, false, false},
-                     {"a noisy plane", 2000, 4000, 0, 0, .3, false, true}, // links would cost more
-                     {"near layers", 2000, 500, 1, 0, .125, false, true},
-                     {"a small shape", int(minimum_size) - 2, 300, 1.5, 0, .125, false, false}}) {
-    scene.make();
-    for(std::size_t sample_size : {250u, 2000u})
-      check_equal(gains(scene, sample_size), scene.gains,
-                  scene.name + (": whether it gains, by " + std::to_string(sample_size)));
+  for(const Scene& scene : {Scene{"layers", 4000, 1500, 1500, 1.1, 0, 1 / 3., Scene::over, true},
+                            {"a step", 4000, 4000, 2000, 1.1, 0, 1 / 3., Scene::right, true},
+                            {"a step across", 4000, 4000, 2000, 1.1, 0, 1 / 3., Scene::behind, true},
+                            {"a groove", 4000, 4000, 2000, 1.1, 0, 1 / 3., Scene::middle, true},
+                            {"a slight bend", 40000, 8000, 8000, 0, .8, .1, Scene::over, false},
+                            {"a plane", 4000, 4000, 4000, 0, 0, .1, Scene::over, false},
+                            {"a noisy plane", 4000, 4000, 4000, 0, 0, 1 / 3., Scene::over, false}}) {
+    scenes::Random random(5);
+    std::vector<Grid_point> unsorted;
+    std::vector<int> face;
+    for(int i = 0; i < scene.points; ++i) {
+      const double x = random.uniform(), y = random.uniform();
+      face.push_back(scene.face(i, x, y));
+      const double z = face.back() * scene.step + (std::max)(0., x - .5) * 2 * scene.bend;
+      unsorted.push_back({std::int32_t(scene.width * x), std::int32_t(scene.depth * y),
+                          std::int32_t(std::lround(epsilon * (z + scene.noise * random.gaussian()))),
+                          encode_normal({0, 0, 1})});
+    }
+    Fixture f;
+    const std::vector<std::size_t> order = set_points(f, unsorted, 12, 8192);
+    f.label.assign(order.size(), 0);
+    f.tolerance = make_tolerance(epsilon, cosine_deg(25));
+    const Stage_parameters options = split_options(f, 100);
+    Sequential_backend backend;
+    Labeled_cloud<Sequential_backend> points(backend);
+    take_cloud(f, points);
+    set_labels(points, f.label);
+    auto shapes = make_table(backend, fitted_shapes(f, 1));
+    shapes.plane = to_buffer(backend, std::vector<Plane>(1, rounded(shapes.table()[0].local)));
+    split_shapes(points, shapes, options);
+    check_equal(shapes.size, scene.splits ? 2u : 1u, scene.name + ": shapes"s);
+    std::size_t number[2] = {0, 0}, true_ones = 0;
+    for(std::size_t i = 0; i < order.size(); ++i) {
+      ++number[points.label()[i]];
+      true_ones += int(points.label()[i]) == face[order[i]];
+    }
+    const std::size_t of_faces = (std::max)(true_ones, order.size() - true_ones);
+    CHECK_AT(!scene.splits || (10 * of_faces > 9 * order.size() && 10 * number[0] > 9 * number[1]),
+             scene.name + ": parts"s);
   }
-}
-
-// Of a small sample: not for all layers that gain.
-BOOST_AUTO_TEST_CASE(certain_gains)
-{
-  int certain = 0;
-  for(int gap = 30; gap < 150; gap += 3) {
-    Scene scene = {"sampled layers", 1000, 1000, gap / 100., 0, .125, false, true};
-    scene.make();
-    certain += gains(scene, 60);
-  }
-  CHECK_AT(certain > 5 && certain < 40, std::to_string(certain) + " gains");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -57,6 +57,42 @@ BOOST_AUTO_TEST_CASE(test_parts)
   CHECK(Score(~std::uint64_t(0), 12).price() < 0);
 }
 
+// Of planes that meet, up to those that are far apart, with normals to one side or to both; and the mean of them.
+BOOST_AUTO_TEST_CASE(test_continuity)
+{
+  using namespace CGAL::Tandem::internal;
+  const double unit = double(Score::unit), epsilon = 60;
+  const Tolerance tolerance = make_tolerance(epsilon, .9);
+  scenes::Random random(2);
+  Contact contact;
+  double mean = 0, weight = 0;
+  check_equal(contact.continuity(), 0, "without links");
+  for(int i = 0; i < 2000; ++i) {
+    const Grid_point p = {std::int32_t(random.bits() % 2000), std::int32_t(random.bits() % 2000), 0, no_normal};
+    const double step = i < 4     ? i % 2
+                        : i < 8   ? std::ldexp(1, i + 12)
+                        : i < 100 ? 100 * random.uniform()
+                                  : 1.2 * random.uniform();
+    const double sign = i % 3 == 0 ? 1 : -1, slope = .2 * random.gaussian(), length = std::sqrt(1 + slope * slope);
+    const Vector n = {slope / length, 0, 1 / length};
+    const double at_p = n.x * p.x;
+    const auto a = rounded({n, at_p + .3 * epsilon}), b = rounded({sign * n, sign * (at_p + (.3 + step) * epsilon)});
+    const double w = (std::max)(0., 1 - step * step);
+    const std::int64_t got = continuity_at(a, b, p, tolerance);
+    const std::string where = std::to_string(step) + (sign < 0 ? " and opposite normals" : "");
+    CHECK_AT(are_near(double(got), unit * w * w, 3) && (step > 0 || got == Score::unit), where);
+    check_equal(continuity_at(b, a, p, tolerance), got, where + ", in the other order");
+    const std::uint64_t links = 1 + random.bits() % 70000;
+    contact.add(links, got);
+    mean += double(links) * w * w;
+    weight += double(links);
+  }
+  CHECK(are_near(double(contact.continuity()), double(Contact::one) * mean / weight, 1) && contact.links == weight);
+  Contact bend;
+  bend.add(3, Score::unit);
+  check_equal(bend.continuity(), +Contact::one, "where planes meet");
+}
+
 // k nearest neighbors of all points, in double.
 std::vector<std::vector<std::size_t>> brute_force_neighbors(const std::vector<Vec>& points, std::size_t k)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows from labels, against plain loops on several back ends, which pass cells in parts: links, also where the
-// first table of all cells is too small; moments, boxes, the lists of the shapes of each cell; and the update of labels,
+// What follows from labels, against plain loops on several back ends, which pass cells in parts: links and how continuous
+// they are, also where the first table of all cells is too small; moments, boxes, the lists of the shapes of each cell; and the update of labels,
 // which keeps these.
 
 #include "testing/body_fixture.h"
@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_labels)
@@ -34,13 +35,17 @@ Labels make_labels(std::uint32_t size, std::uint32_t shapes)
   return label;
 }
 
+// By pair: the edges, and the sum of their continuity.
+using Contacts = std::map<std::uint64_t, std::pair<std::uint64_t, std::uint64_t>>;
+
 // The links of the points of some shapes, and which of these points have no neighbor of another label.
 struct Slow_links {
-  std::map<std::uint64_t, std::uint32_t> edges; // by pair
+  Contacts edges;
   std::vector<std::uint8_t> state;
 
   template <class F>
-  Slow_links(const Fixture& f, const Labels& label, F is_selected) : state(label.size(), tried_seed_bit)
+  Slow_links(const Fixture& f, const std::vector<Plane>& plane, const Labels& label, F is_selected)
+    : state(label.size(), tried_seed_bit)
   {
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       const std::uint32_t s = label[i];
@@ -51,20 +56,23 @@ struct Slow_links {
         const std::uint32_t t = label[q];
         if(t != s)
           state[i] = tried_seed_bit;
-        if(t != s && t < first_mark)
-          ++edges[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
+        if(t == s || t >= first_mark)
+          return;
+        auto& of_pair = edges[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
+        ++of_pair.first;
+        of_pair.second += std::uint64_t(continuity_at(plane[s], plane[t], f.point[i], f.tolerance_of(i)));
       });
     }
   }
 };
 
-void check_links(const std::vector<Link>& links, const std::map<std::uint64_t, std::uint32_t>& expected,
-                 const std::string& where)
+void check_links(const std::vector<Link>& links, const Contacts& expected, const std::string& where)
 {
-  std::map<std::uint64_t, std::uint32_t> got;
+  Contacts got;
   for(const Link& link : links)
     if(link.pair != Link::none)
-      CHECK_AT(got.emplace(link.pair, link.count).second, where + ": a pair has two links");
+      CHECK_AT(got.emplace(link.pair, std::make_pair(link.contact.links, link.contact.sum)).second,
+               where + ": a pair has two links");
   CHECK_AT(got == expected, where);
 }
 
@@ -76,22 +84,29 @@ BOOST_AUTO_TEST_CASE(links_of_clouds)
         const std::string where = name + ": " + std::to_string(number) + " shapes";
         const Labels label = make_labels(f.cloud.size, number);
         std::vector<Shape> shape(number);
+        std::vector<Plane> plane(number);
         for(std::uint32_t i = 0; i < label.size(); ++i)
           if(label[i] < first_mark)
             shape[label[i]].moments.add(f.point[i], 1);
-        for(std::uint32_t s = 0; s < number; ++s)
+        for(std::uint32_t s = 0; s < number; ++s) {
           shape[s].history.is_linked = s % 3 != 0;
-        Slow_links expected(f, label, [&](std::uint32_t s) { return which == Links::all || s % 3 == 0; });
+          plane[s] = f.plane[s % 4 % f.plane.size()];
+          plane[s].d += f.tolerance.distance / 7 * (s % 7);
+        }
+        Slow_links expected(f, plane, label, [&](std::uint32_t s) { return which == Links::all || s % 3 == 0; });
         CHECK_AT(number != 64 || which != Links::all || label.size() <= 3000 || expected.edges.size() > 1024,
                  where + ": the first table is large enough");
         for(auto e = expected.edges.begin(); e != expected.edges.end();)
-          e = e->second < tuning::moves::minimum_edges ? expected.edges.erase(e) : std::next(e);
+          e = e->second.first < tuning::moves::minimum_edges ? expected.edges.erase(e) : std::next(e);
 
         Labeled_cloud<decltype(backend)> points(backend);
         take_cloud(f, points);
         set_labels(points, label, std::vector<std::uint8_t>(label.size(), tried_seed_bit));
         auto shapes = make_table(backend, shape);
-        const auto collect = [&] { return to_vector(backend, collect_links(points, shapes, which, Phase::loop)); };
+        shapes.plane = to_buffer(backend, plane);
+        const auto collect = [&] {
+          return to_vector(backend, collect_links(points, shapes, f.tolerance, which, Phase::loop));
+        };
         check_links(collect(), expected.edges, where);
         check_lists(to_vector(backend, points.state(), label.size()), expected.state, where + ", interior points");
         for(std::uint32_t s = 0; s < number; ++s)

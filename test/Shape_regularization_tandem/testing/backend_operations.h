@@ -80,7 +80,7 @@ struct Add_links {
   const Link* addition;
   Link_set<Backend> set;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { set.add(addition[i].pair, addition[i].count); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { set.add(addition[i].pair, addition[i].contact); }
 };
 
 // From the item `start` of each cell on.
@@ -247,7 +247,9 @@ private:
 
   // --- The table of links
 
-  using Counts = std::map<std::uint64_t, std::uint32_t>; // by pair
+  using Counts = std::map<std::uint64_t, std::array<std::uint64_t, 2>>; // by pair
+
+  static std::array<std::uint64_t, 2> counts(const Link& link) { return {link.contact.links, link.contact.sum}; }
 
   // Of pairs of which each comes about three times, most of them with one edge.
   static std::vector<Link> random_additions(std::size_t n, std::uint32_t ids)
@@ -260,7 +262,7 @@ private:
     }
     std::vector<Link> additions(n);
     for(Link& a : additions)
-      a = {pairs[random() % pairs.size()], random() % 4 == 0 ? 1 + std::uint32_t(random() % 1000) : 1u};
+      a = {pairs[random() % pairs.size()], {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random()}};
     return additions;
   }
 
@@ -270,9 +272,11 @@ private:
     const auto check_table = [&](bool is_right, const char* what) {
       check(is_right, std::to_string(additions.size()) + " additions, " + what + ": table", size);
     };
-    Counts expected, number; // edges, and additions
+    Counts expected; // edges and sums
+    std::map<std::uint64_t, std::uint32_t> number;
     for(const Link& a : additions) {
-      expected[a.pair] += a.count;
+      expected[a.pair][0] += a.contact.links;
+      expected[a.pair][1] += a.contact.sum;
       ++number[a.pair];
     }
     Buffer<Link> table = filled_buffer(backend_, size, Link());
@@ -282,7 +286,7 @@ private:
                       Add_links<Backend>{source.data(), {table.data(), std::uint32_t(size), lost.data()}}, 32);
     Counts got;
     for(const Link& link : to_vector(backend_, table.data(), size))
-      check_table(link.pair == Link::none ? link.count == 0 : got.emplace(link.pair, link.count).second,
+      check_table(link.pair == Link::none ? link.contact.links == 0 : got.emplace(link.pair, counts(link)).second,
                   "a pair has two links, or none has one");
     std::uint32_t expected_lost = 0;
     for(const auto& e : expected)
@@ -300,10 +304,10 @@ private:
         to_vector(backend_, backend_.template collect<Link>(size, Take_links{table.data(), lost.data(), minimum}));
       Counts enough, taken;
       for(const auto& e : expected)
-        if(e.second >= minimum)
+        if(e.second[0] >= minimum)
           enough.insert(e);
       for(const Link& link : links)
-        taken.emplace(link.pair, link.count);
+        taken.emplace(link.pair, counts(link));
       check_table(expected_lost > 0 ? links.size() == size : taken == enough && links.size() == enough.size(),
                   "links of at least so many edges, or all slots");
     }

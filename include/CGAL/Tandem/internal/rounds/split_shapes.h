@@ -416,6 +416,7 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   Buffer_of<Backend, std::uint8_t> smooth(parts.size());
   backend.for_each(points.cloud.number_of_surfels(),
                    Smooth_parts{points.cloud.view(), points.label(), parts.data(), smooth.data()});
+  points.ranks.refresh(smooth.data(), Rings::inner);
   auto account = filled_buffer(backend, trial.size(), Split_account());
   backend.template for_each_cell<No_scratch>(
     points.number_of_parts(),

@@ -53,13 +53,13 @@ struct Score_item {
 
   std::int64_t weight, tolerance;
 
-  // A distance in units of a 2^15th of the tolerance, rounded. A point that only the exact check accepted may be a
-  // little farther than the tolerance on the grid, and counts as that.
+  // A distance in units of a 2^15th of the tolerance, rounded. What is farther than the tolerance counts as that.
   CGAL_TANDEM_HD std::uint64_t fraction_of(std::int64_t distance) const
   {
-    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(45 + 15)
-    const std::uint64_t fraction = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
-    return fraction < tolerance_units ? fraction : tolerance_units;
+    const std::int64_t size = distance < 0 ? -distance : distance;
+    if(size >= tolerance)
+      return tolerance_units; // also where the product would overflow
+    return (std::uint64_t(size) * tolerance_units + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
   }
 };
 
