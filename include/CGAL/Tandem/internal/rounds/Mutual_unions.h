@@ -58,7 +58,7 @@ public:
   {
     const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
     const std::int64_t na = a.moments.count, nb = b.moments.count;
-    const double continuity = continuity_of(contact), most = saved(contact) + continuity * bonus(na, nb, na, nb);
+    const double continuity = continuity_of(a, b, contact), most = saved(contact) + continuity * bonus(na, nb, na, nb);
     if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most || continuity == 1)
       return true;
     const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
@@ -82,16 +82,22 @@ public:
       return 0;
     const double size = bonus(a.size() - of_a.misfits, b.size() - of_b.misfits, a.size() - of_a.misfits_before,
                               b.size() - of_b.misfits_before);
-    const double continuity = continuity_of(contact);
+    const double continuity = continuity_of(a.fitted, b.fitted, contact);
     const double lost =
       double(Score::unit) * double(of_a.misfits + of_b.misfits - of_a.misfits_before - of_b.misfits_before);
     return saved(contact) + std::fma(continuity, size - lost, (continuity - 1) * (of_a.loss + of_b.loss));
   }
 
 private:
-  CGAL_TANDEM_HD static double continuity_of(const Contact& contact)
+  // That of the links, when they were counted; or that of both planes in the center of the contact, if it is less: a piece
+  // that straddles a step touches both sides without a step, but what it has joined does not.
+  CGAL_TANDEM_HD double continuity_of(const Fitted_moments& a, const Fitted_moments& b, const Contact& contact) const
   {
-    return double(contact.continuity()) / double(Contact::one);
+    const Vector at = contact.center();
+    const double da = dot(a.local.normal, at) - a.local.offset, db = dot(b.local.normal, at) - b.local.offset;
+    const double step = dot(a.local.normal, b.local.normal) < 0 ? da + db : da - db;
+    const double w = std::fma(-step * step, per_square_ / (double(Score::unit) * b.scatter.squared_tolerance), 1.);
+    return (std::min)(double(contact.continuity()) / double(Contact::one), w > 0 ? w * w : 0.);
   }
 
   // By a union of two shapes.

@@ -54,7 +54,7 @@ struct Point_sample {
 // A trial fits planes to two halves of a sample of the points. By a group of lanes, which share the points of the sample.
 class Split_trials {
 public:
-  static constexpr int starts = 4;
+  static constexpr int starts = 6;
   static constexpr std::int64_t sample_size = tuning::moves::split_sample;
 
   explicit Split_trials(const Stage_parameters& options)
@@ -113,14 +113,26 @@ private:
     return rounded(f.local);
   }
 
-  // Halves along both axes, of the distance, middle and ends.
+  // Halves along both axes and both diagonals, of the distance, middle and ends.
   CGAL_TANDEM_HD static bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start)
   {
     const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
-    const double along = dot(from_center, axes.vector[2]);
-    if(start == 3)
+    const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
+    const double square = along * along * axes.value[1] - across * across * axes.value[2]; // of a product of diagonals
+    switch(start) {
+    case 0:
+      return along > 0;
+    case 1:
+      return across > 0;
+    case 2: // both have widths of one standard deviation
+      return along > 0 ? across > 0 || square > 0 : across > 0 && square < 0;
+    case 3:
+      return along > 0 ? across < 0 || square > 0 : across < 0 && square < 0;
+    case 4:
+      return dot(from_center, axes.vector[0]) > 0;
+    default:
       return along * along * s.scatter.count > axes.value[2];
-    return (start == 0 ? along : dot(from_center, axes.vector[start == 1 ? 1 : 0])) > 0;
+    }
   }
 
   Score score_;
@@ -267,8 +279,7 @@ private:
       Split_account& target = sum[run.candidate * Split_trials::starts + t];
       Backend::atomic_add(target.fit, run.account[t].fit);
       Backend::atomic_add(target.second, run.account[t].second);
-      Backend::atomic_add(target.contact.links, run.account[t].contact.links);
-      Backend::atomic_add(target.contact.sum, run.account[t].contact.sum);
+      atomic_add<Backend>(target.contact, run.account[t].contact);
     }
   }
 
@@ -290,7 +301,8 @@ private:
       a.second += is_second ? std::uint64_t(points) : 0;
       if(cut[t] > 0)
         a.contact.add(cut[t] * cloud.surfels.edge_weight(i),
-                      continuity_at(own[t].first, own[t].second, cloud.point[i], cloud.tolerance_of(i, tolerance)));
+                      continuity_at(own[t].first, own[t].second, cloud.point[i], cloud.tolerance_of(i, tolerance)),
+                      cloud.point[i]);
     }
   }
 

@@ -166,25 +166,52 @@ CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b,
   return w * w / Score::unit;
 }
 
-// The contact of two shapes, or of two parts of one: its links, and the sum of the continuity at these. Of what a union
-// changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, the fit as far as it is not.
-// So a slight bend is no reason to cut a face, and size is no reason to join layers.
+// The contact of two shapes, or of two parts of one: its links, and sums over these of the continuity and of the positions.
+// Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, the fit as
+// far as it is not. So a slight bend is no reason to cut a face, and size is no reason to join layers.
 struct Contact {
   static constexpr std::int64_t one = 256;
 
   std::uint64_t links = 0, sum = 0;
+  std::int64_t position[3] = {0, 0, 0}; // in grid steps
 
-  CGAL_TANDEM_HD void add(std::uint64_t more, std::int64_t continuity)
+  CGAL_TANDEM_HD void add(std::uint64_t more, std::int64_t continuity, const Grid_point& p)
   {
     links += more;
     sum += more * std::uint64_t(continuity);
+    position[0] += std::int64_t(more) * p.x;
+    position[1] += std::int64_t(more) * p.y;
+    position[2] += std::int64_t(more) * p.z;
+  }
+  CGAL_TANDEM_HD void operator+=(const Contact& c)
+  {
+    links += c.links;
+    sum += c.sum;
+    for(int i = 0; i < 3; ++i)
+      position[i] += c.position[i];
   }
   // Of one: the mean.
   CGAL_TANDEM_HD std::int64_t continuity() const
   {
     return links > 0 ? std::int64_t(sum / links) / (Score::unit / one) : 0;
   }
+  // The mean position. There is at least one link.
+  CGAL_TANDEM_HD Vector center() const
+  {
+    const double n = double(links);
+    return {double(position[0]) / n, double(position[1]) / n, double(position[2]) / n};
+  }
 };
+
+// Adds to a contact that several functors fill at the same time.
+template <class Backend>
+CGAL_TANDEM_HD void atomic_add(Contact& target, const Contact& contact)
+{
+  Backend::atomic_add(target.links, contact.links);
+  Backend::atomic_add(target.sum, contact.sum);
+  for(int i = 0; i < 3; ++i)
+    Backend::atomic_add(target.position[i], contact.position[i]);
+}
 
 } // namespace CGAL::Tandem::internal
 

@@ -44,8 +44,7 @@ struct Link_set {
       Link& l = link[slot & (size - 1)];
       const std::uint64_t old = Backend::atomic_exchange_if(l.pair, +Link::none, pair);
       if(old == Link::none || old == pair) {
-        Backend::atomic_add(l.contact.links, contact.links);
-        Backend::atomic_add(l.contact.sum, contact.sum);
+        atomic_add<Backend>(l.contact, contact);
         return;
       }
     }
@@ -124,15 +123,16 @@ private:
     if(t >= first_mark || t == s || edges == 0)
       return;
     Contact contact;
-    contact.add(edges, continuity_at(plane[s], plane[t], cloud.point[i], cloud.tolerance_of(i, tolerance)));
+    contact.add(edges, continuity_at(plane[s], plane[t], cloud.point[i], cloud.tolerance_of(i, tolerance)),
+                cloud.point[i]);
     const std::uint64_t pair = unordered_pair(s, t);
     Link& slot = scratch.link[std::uint32_t(hash_of_pair(pair) >> 56)];
     if(!block.count_pair(slot.pair, slot.contact.links, pair))
       return links.add(pair, contact);
-    if(edges > 1)
-      block.add(slot.contact.links, contact.links - 1);
-    if(contact.sum > 0)
-      block.add(slot.contact.sum, contact.sum);
+    block.add(slot.contact.links, contact.links - 1);
+    block.add(slot.contact.sum, contact.sum);
+    for(int d = 0; d < 3; ++d)
+      block.add(slot.contact.position[d], contact.position[d]);
   }
 };
 
@@ -166,8 +166,7 @@ inline void append(std::vector<Link>& links, const Link& link)
 {
   if(links.empty() || links.back().pair != link.pair)
     return links.push_back(link);
-  links.back().contact.links += link.contact.links;
-  links.back().contact.sum += link.contact.sum;
+  links.back().contact += link.contact;
 }
 
 // Of all links of the ranks, those with enough edges, by pair.
