@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components of equal labels, and the points of small ones, against plain loops on several back ends.
+// Connected components of equal labels, and the shapes that they become, against plain loops on several back ends.
 
 #include "testing/body_fixture.h"
 
@@ -44,7 +44,8 @@ std::vector<std::uint32_t> slow_components(const Fixture& f)
   return smallest;
 }
 
-// Points of components of less than three points become free; before that, interior bits are cleared, and no others.
+// Of those of at least three points, the largest of each shape keeps its id; the others have new ids, by falling size,
+// then by position. The points of the others become free.
 BOOST_AUTO_TEST_CASE(components)
 {
   for(const Fixture& f : fixtures()) {
@@ -59,29 +60,46 @@ BOOST_AUTO_TEST_CASE(components)
       find_components(points, cell_size, f.label.data(), component.data());
       check_lists(component, expected, name + ": components");
 
-      std::vector<std::uint32_t> label = f.label, without_small = f.label;
-      std::vector<std::uint8_t> state(n, interior_bit | tried_seed_bit);
-      std::map<std::uint32_t, std::uint32_t> size; // by root
+      std::map<std::uint32_t, std::uint32_t> size, id; // by root
       for(std::uint32_t i = 0; i < n; ++i)
         size[component[i]] += f.label[i] < first_mark;
       std::set<std::pair<int, std::uint32_t>> large; // the largest first
-      for(std::uint32_t i = 0; i < n; ++i)
-        if(without_small[i] < first_mark && size[component[i]] < 3)
-          without_small[i] = free_label;
-        else if(without_small[i] < first_mark)
-          large.emplace(-int(size[component[i]]), component[i]);
+      for(const auto& [root, points_of_root] : size)
+        if(points_of_root >= 3)
+          large.emplace(-int(points_of_root), root);
       Border_components<decltype(backend)> borders(backend, points.ranks);
-      const Labels_of_points labels = {points.cloud.surfels(), label.data(), nullptr};
+      const Labels_of_points labels = {points.cloud.surfels(), f.label.data(), nullptr};
       std::vector<std::pair<int, std::uint32_t>> got;
       for(const Component& c : large_components(points, 3, labels, component.data(), borders))
         got.emplace_back(-int(c.size), c.root);
       CHECK_AT(std::equal(got.begin(), got.end(), large.begin(), large.end()), name + ": large components");
-      const auto sizes = component_sizes(points, labels, component.data(), borders);
-      backend.for_each(n, Clear_interior{state.data()});
-      backend.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
-      check_lists(label, without_small, name + ": labels without small components");
-      CHECK_AT(label != f.label, name + ": no component is small");
-      check_lists(state, std::vector<std::uint8_t>(n, tried_seed_bit), name + ": states without small components");
+      std::set<std::uint32_t> with_id;
+      std::uint32_t number = std::uint32_t(f.plane.size());
+      for(const auto& l : large)
+        id[l.second] = with_id.insert(f.label[l.second]).second ? f.label[l.second] : number++;
+      std::vector<std::uint32_t> separate = f.label;
+      for(std::uint32_t i = 0; i < n; ++i)
+        if(f.label[i] < first_mark)
+          separate[i] = id.count(component[i]) == 0 ? +free_label : id[component[i]];
+      CHECK_AT(n < 100 || (number > f.plane.size() && separate != f.label), name + ": no component is apart");
+      set_labels(points, f.label);
+      auto shapes = make_table(backend, f.shapes_of_labels(f.plane.size()));
+      shapes.plane = to_buffer(backend, f.plane);
+      Stage_parameters options = Stage_parameters();
+      options.minimum_region_size = 3;
+      options.growth.cell_size = cell_size;
+      separate_components(points, shapes, options);
+      check_lists(to_vector(backend, points.label(), n), separate, name + ": separate components");
+      check_equal(shapes.size, number, name + ": number of shapes");
+      CHECK_AT(shapes.has_moments(), name + ": moments have to be made again");
+      std::vector<Shared_moments> sums(number);
+      for(std::uint32_t i = 0; i < n; ++i)
+        if(separate[i] < first_mark)
+          add_point(sums[separate[i]], f.point[i], 1, f.level_of(i));
+      for(std::uint32_t s = 0; s < number; ++s) {
+        const Moments &got = shapes.table()[s].moments, expected_sum = sums[s].moments();
+        CHECK_AT(are_equal(got, expected_sum), name + ": moments of shape " + std::to_string(s));
+      }
     });
   }
 }
