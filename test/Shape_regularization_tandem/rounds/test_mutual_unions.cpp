@@ -51,10 +51,12 @@ double gain_of(const Union_gain& gain, const Sampled_shape& a, const Sampled_sha
   return gain.may_gain(a.fitted, b.fitted, contact) ? gain(a, b, contact) : 0;
 }
 
-// A contact of so many links.
-Contact contact_of(std::uint64_t links, double continuity)
+// A contact of so many links at one place.
+Contact contact_of(std::uint64_t links, double continuity, const Grid_point& at)
 {
-  return {links, links * std::uint64_t(continuity * double(Score::unit))};
+  Contact contact;
+  contact.add(links, std::int64_t(continuity * double(Score::unit)), at);
+  return contact;
 }
 
 // The least hashes of all these.
@@ -123,7 +125,13 @@ public:
     const double size = bonus(after) - bonus(before_a.points) - bonus(before_b.points) + Score::unit * (after - before);
     const double fit = after_a.fit + after_b.fit - before_a.fit - before_b.fit;
     const double links = double(contact.links);
-    const double continuity = std::floor(256 * double(contact.sum) / Score::unit / (std::max)(links, 1.)) / 256;
+    const double of_links = std::floor(256 * double(contact.sum) / Score::unit / (std::max)(links, 1.)) / 256;
+    const Vector at = contact.center();
+    const auto height = [&](const Regular_plane& p) { return dot(p.normal, at) - p.offset; };
+    const double sign = dot(a.fitted.local.normal, b.fitted.local.normal) < 0 ? -1 : 1;
+    const double step = (height(a.fitted.local) - sign * height(b.fitted.local)) / epsilon;
+    const double of_planes = links > 0 ? std::pow((std::max)(0., 1 - step * step), 2) : 0;
+    const double continuity = (std::min)(of_links, of_planes);
     const double saved = Score::unit * (.3 * double(options_.minimum_region_size) + links / 2 / 12);
     const double gain = saved + continuity * size + (1 - continuity) * fit;
     // Squares, which count all points, say of some unions that they cost more than is saved, without a look at points.
@@ -199,9 +207,13 @@ BOOST_AUTO_TEST_CASE(gains)
     }
     a.finish(0);
     b.finish(64);
-    const Contact contact = contact_of(random() % 30, double(random() % 5) / 4);
+    const Grid_point at = {int(random() % 2000), int(random() % 1000), int(random() % 40), no_normal};
+    const std::uint64_t links = random() % 30;
+    const double continuity = double(random() % 5) / 4;
+    const Contact contact = contact_of(links, continuity, {factor * at.x, factor * at.y, factor * at.z, no_normal}),
+                  small_contact = contact_of(links, continuity, at);
     const double got = gain_of(gain, a.sampled(), b.sampled(), contact),
-                 of_small = gain_of(gain, small[0].sampled(), small[1].sampled(), contact);
+                 of_small = gain_of(gain, small[0].sampled(), small[1].sampled(), small_contact);
     CHECK_AT((got > 0) == (of_small > 0) && (got <= 0 || std::fabs(got - of_small) < 2),
              where + ": with a smaller tolerance");
     bool is_close = false;
@@ -239,7 +251,8 @@ double gain_of_pieces(double step, double slope, double simplicity)
   const Plane of_first = rounded(piece[0].fitted.local), of_second = rounded(piece[1].fitted.local);
   Contact contact;
   for(int y = 0; y < 4000; y += 10)
-    contact.add(2, continuity_at(of_first, of_second, {4000, y, 0, upright}, options.growth.tolerance));
+    contact.add(2, continuity_at(of_first, of_second, {4000, y, 0, upright}, options.growth.tolerance),
+                {4000, y, 0, upright});
   return gain_of(Union_gain(options), piece[0].sampled(), piece[1].sampled(), contact);
 }
 
@@ -454,7 +467,8 @@ std::size_t check_roofs(const std::string& name, int unevenness)
                  height);
     for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
       if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
-        links.push_back({std::uint64_t(id) << 32 | other, contact_of(1 + id % 5, double(id % 3) / 2)});
+        links.push_back(
+          {std::uint64_t(id) << 32 | other, contact_of(1 + id % 5, double(id % 3) / 2, fragments[id].point[0])});
   }
   return check_unions(name, fragments, links, 100);
 }
@@ -480,7 +494,8 @@ BOOST_AUTO_TEST_CASE(level_shapes)
       const int size = is_row ? 50 : i == 0 ? 2000 : 5 + int(i);
       add_fragment(fragments, size, int(i) * width, 0, random, [](int, int) { return 0; });
       if(i > 0)
-        links.push_back({std::uint64_t(is_row ? i - 1 : 0) << 32 | i, contact_of(is_row ? 1 : 3, 1)});
+        links.push_back(
+          {std::uint64_t(is_row ? i - 1 : 0) << 32 | i, contact_of(is_row ? 1 : 3, 1, fragments[i].point[0])});
     }
     const std::string name = is_row ? "a row" : "many beside one";
     check_equal(check_unions(name, fragments, links, is_row ? 300 : 2), 1u, name);

@@ -57,7 +57,7 @@ struct Slow_trial {
       const std::int64_t c = continuity_at(split.first, split.second, f.point[i], f.tolerance_of(i));
       f.for_each_neighbor(i, [&](std::uint32_t q) {
         if(f.label[q] == id && smooth[q] != smooth[i])
-          account.contact.add(points[i], c);
+          account.contact.add(points[i], c, f.point[i]);
       });
     }
   }
@@ -279,6 +279,8 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
       check_equal(got[t].second, expected[t].second, where + "points of the second part");
       check_equal(got[t].contact.links, expected[t].contact.links, where + "links");
       check_equal(got[t].contact.sum, expected[t].contact.sum, where + "continuity");
+      for(int d : {0, 1, 2})
+        check_equal(got[t].contact.position[d], expected[t].contact.position[d], where + "position");
     }
   });
 }

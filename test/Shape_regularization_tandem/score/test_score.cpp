@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(test_continuity)
   const Tolerance tolerance = make_tolerance(epsilon, .9);
   scenes::Random random(2);
   Contact contact;
-  double mean = 0, weight = 0;
+  double mean = 0, weight = 0, x = 0;
   check_equal(contact.continuity(), 0, "without links");
   for(int i = 0; i < 2000; ++i) {
     const Grid_point p = {std::int32_t(random.bits() % 2000), std::int32_t(random.bits() % 2000), 0, no_normal};
@@ -83,13 +83,15 @@ BOOST_AUTO_TEST_CASE(test_continuity)
     CHECK_AT(are_near(double(got), unit * w * w, 3) && (step > 0 || got == Score::unit), where);
     check_equal(continuity_at(b, a, p, tolerance), got, where + ", in the other order");
     const std::uint64_t links = 1 + random.bits() % 70000;
-    contact.add(links, got);
+    contact.add(links, got, p);
+    x += double(links) * p.x;
     mean += double(links) * w * w;
     weight += double(links);
   }
   CHECK(are_near(double(contact.continuity()), double(Contact::one) * mean / weight, 1) && contact.links == weight);
+  check_close(contact.center().x, x / weight, 1e-9 * x / weight, "mean position");
   Contact bend;
-  bend.add(3, Score::unit);
+  bend.add(3, Score::unit, {0, 0, 0, no_normal});
   check_equal(bend.continuity(), +Contact::one, "where planes meet");
 }
 

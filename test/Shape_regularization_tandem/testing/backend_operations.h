@@ -247,9 +247,13 @@ private:
 
   // --- The table of links
 
-  using Counts = std::map<std::uint64_t, std::array<std::uint64_t, 2>>; // by pair
+  using Counts = std::map<std::uint64_t, std::array<std::uint64_t, 5>>; // by pair
 
-  static std::array<std::uint64_t, 2> counts(const Link& link) { return {link.contact.links, link.contact.sum}; }
+  static std::array<std::uint64_t, 5> counts(const Link& link)
+  {
+    const std::int64_t* const p = link.contact.position;
+    return {link.contact.links, link.contact.sum, std::uint64_t(p[0]), std::uint64_t(p[1]), std::uint64_t(p[2])};
+  }
 
   // Of pairs of which each comes about three times, most of them with one edge.
   static std::vector<Link> random_additions(std::size_t n, std::uint32_t ids)
@@ -262,7 +266,8 @@ private:
     }
     std::vector<Link> additions(n);
     for(Link& a : additions)
-      a = {pairs[random() % pairs.size()], {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random()}};
+      a = {pairs[random() % pairs.size()],
+           {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random(), {random(), -std::int64_t(random()), 7}}};
     return additions;
   }
 
@@ -275,8 +280,9 @@ private:
     Counts expected; // edges and sums
     std::map<std::uint64_t, std::uint32_t> number;
     for(const Link& a : additions) {
-      expected[a.pair][0] += a.contact.links;
-      expected[a.pair][1] += a.contact.sum;
+      const auto added = counts(a);
+      for(std::size_t i = 0; i < added.size(); ++i)
+        expected[a.pair][i] += added[i];
       ++number[a.pair];
     }
     Buffer<Link> table = filled_buffer(backend_, size, Link());
