@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfels near the edge of two shapes, where normals are estimated. Such a normal is blended there, and says nothing
-// about the edge side. The place of the surfel does: it goes to the shape on whose side of the edge it lies. Then its
-// normal is fitted again, to surfels of that shape only. Given normals are never touched, and decide by themselves.
+// about the edge side. The place of the surfel does: it goes to the shape on whose side of the edge it lies, and
+// gets the normal of a neighbor there. Given normals are never touched, and decide by themselves.
 // Changes labels and interior bits of surfels, their estimated normals, and moments and boxes of shapes. See the
 // manual, "Edge Sides".
 
@@ -13,7 +13,6 @@
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/base/tuning/normals.h>
 #include <CGAL/Tandem/internal/rounds/assign.h>
-#include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
 namespace CGAL::Tandem::internal {
 
@@ -74,33 +73,6 @@ struct Edge_view {
         for_each_farther_neighbor(b, 2, f);
       });
     });
-  }
-
-  // That of the plane through the surfels of shape s around i; no_normal if they determine none.
-  CGAL_TANDEM_HD std::uint32_t normal_of_shape(std::uint32_t i, std::uint32_t s) const
-  {
-    const Grid_point p = cloud.point[i];
-    Neighborhood_sum sum;
-    for_each_around(i, [&](std::uint32_t q) {
-      if(label[q] == s)
-        sum.add(difference(cloud.point[q], p));
-    });
-    if(sum.size < tuning::edge_sides::minimum_visits)
-      return no_normal;
-    const Neighborhood h = sum.mean();
-    const Thickness t = thickness(h);
-    return is_determined(t, sum.size) ? normals::encoded_normal(h, t.smallest) : no_normal;
-  }
-
-  // Whether the angle that noise turns such a plane by is expected to be below a third of alpha. Its square is the
-  // product of both variances, over the square of their difference and the number of independent surfels. A ball
-  // determines no plane.
-  CGAL_TANDEM_HD bool is_determined(const Thickness& t, int size) const
-  {
-    const double gap = double(t.middle) - t.smallest, scale = 4294967296.; // 2^32: see Tolerance
-    const double squared_sine = scale - double(tolerance.squared_cosine);
-    return t.middle > 0 && exact_product(t.smallest, t.middle) * (tuning::edge_sides::alpha2_per_error * scale) <=
-                             gap * gap * (double(size) / tuning::edge_sides::visits_per_surfel) * squared_sine;
   }
 
 private:

@@ -124,7 +124,7 @@ private:
 };
 
 // By shape, the number of its direction; -1 for shapes without a group. Groups whose directions have the same bits get
-// the same number, since frames can make them equal.
+// the same number, since joint fits can make them equal.
 inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
 {
   auto key = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };

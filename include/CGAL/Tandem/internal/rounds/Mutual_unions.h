@@ -195,9 +195,8 @@ struct Union_root {
   std::uint32_t next = no_index;   // ... the one that joined the same root before it
 };
 
-// Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A shape that tolerates
-// the plane of a much larger one joins it without being chosen, so a large shape takes all of these in one round. All
-// unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
+// Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A much larger shape
+// takes all that choose it in one round, as its plane hardly turns. All unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
 // pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
 // Only minima, integer sums and values that are the same for all writers are shared, so no order matters. Tests and fits
 // take most of the time: a rank makes its own items, and gets the others from the other ranks, see run_unions().

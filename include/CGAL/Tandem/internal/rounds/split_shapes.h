@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A shape whose points lie on two planes becomes two shapes where that gains: layers that one plane has swallowed,
-// surfaces that bend, faces that meet at a small angle. The two planes are found in a sample of the points
-// (Split_gain), and the links that a split would cut are counted; then each surfel goes to the nearer one. Changes
+// surfaces that bend, faces that meet at a small angle. Pairs of planes are found in a sample of the points
+// (Split_trials), and judged by all points and the links that they would cut; then each surfel goes to the nearer one. Changes
 // labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H

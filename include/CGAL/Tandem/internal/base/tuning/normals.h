@@ -62,13 +62,6 @@ namespace edge_sides {
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
 // beyond it is near none. Larger: fewer surfels change their edge side under noise.
 constexpr Ratio clear_ratio = {1, 2};
-// Fewest visits to points of a shape to which a normal is fitted again: about eight points.
-constexpr int minimum_visits = 24;
-// Visits to the points around per point: 2.5 to 3.2 (measured), since some are visited several times.
-constexpr double visits_per_surfel = 3;
-// Squared alpha, in expected squared errors, that such a normal needs: three standard deviations. Smaller: noise alone
-// takes points near edges from dense clouds.
-constexpr double alpha2_per_error = 9;
 
 } // namespace edge_sides
 
