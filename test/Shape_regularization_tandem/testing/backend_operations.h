@@ -266,8 +266,9 @@ private:
     }
     std::vector<Link> additions(n);
     for(Link& a : additions)
-      a = {pairs[random() % pairs.size()],
-           {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random(), {random(), -std::int64_t(random()), 7}}};
+      a = {
+        pairs[random() % pairs.size()],
+        {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random(), {std::int64_t(random()), -std::int64_t(random()), 7}}};
     return additions;
   }
 
