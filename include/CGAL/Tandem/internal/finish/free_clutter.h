@@ -64,7 +64,7 @@ private:
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], cloud.tolerance_of(row[j], tolerance).distance))
-        result -= tuning::moves::far_neighbor * free_weight(row[j]);
+        result -= tuning::score::free_link * free_weight(row[j]);
     return result;
   }
 

@@ -18,8 +18,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- What two planes in place of one gain, see score/Score.h, by a sample of the points of the shape. Changes nothing. See
-// the manual, "Splits".
+// --- What two planes in place of one gain, see score/Score.h. Changes nothing. See the manual, "Splits".
 
 // Whether the point is nearer to the first plane.
 CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_point& p)
@@ -51,10 +50,13 @@ struct Point_sample {
   CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
-// A trial fits planes to two halves of a sample of the points. By a group of lanes, which share the points of the sample.
+// A trial fits planes to two halves of a sample of the points; in half of the trials, points then go to the nearer plane, in
+// turn. That finds steps far from the middle, where noise is low; where it is high, it leads away from them. By a group of
+// lanes, which share the points of the sample.
 class Split_trials {
 public:
-  static constexpr int starts = 6;
+  static constexpr int starts = 8; // bits of a byte
+  static constexpr int halves_of_starts = 6;
   static constexpr std::int64_t sample_size = tuning::moves::split_sample;
 
   explicit Split_trials(const Stage_parameters& options)
@@ -73,10 +75,16 @@ public:
     const Eigen_system axes = eigen_system(s.scatter.matrix);
     const Plane whole = rounded(s.local);
     const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
-    const Halves halves(sample, all, [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start); });
-    if(halves.first.count < 3 || halves.second.count < 3)
-      return {whole, whole};
-    return {plane_of(halves.first), plane_of(halves.second)};
+    Halves halves(sample, all,
+                  [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start % halves_of_starts); });
+    Split split = {whole, whole};
+    for(int step = 0; step < (start < 4 ? 1 : tuning::moves::split_steps); ++step) {
+      if(halves.first.count < 3 || halves.second.count < 3)
+        return {whole, whole};
+      split = {plane_of(halves.first), plane_of(halves.second)};
+      halves = Halves(sample, all, [&](const Grid_point& p) { return split.has_in_second(p); });
+    }
+    return split;
   }
 
 private:

@@ -42,13 +42,11 @@ constexpr std::uint32_t minimum_edges = 2;
 // Ratio of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points become
 // free that the score of the union outweighs, though they fit their own plane.
 constexpr Ratio misfits_of_union = {1, 10};
-// A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
+// A shape that is smaller by this factor may join in the same round as others. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
-// Points of the sample to whose halves the two planes of a split are fitted.
+// Points of the sample in which the two planes of a split are sought, and how often they are fitted.
 constexpr std::int64_t split_sample = 256;
-// What a neighbor beyond epsilon of a plane costs, in the weights of a point, if all neighbors are. 3: faces with noisy
-// normals are dropped. 1: planes through trees stay.
-constexpr std::int64_t far_neighbor = 2;
+constexpr int split_steps = 5;
 
 } // namespace moves
 
