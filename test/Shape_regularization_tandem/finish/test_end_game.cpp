@@ -75,8 +75,8 @@ std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std:
     balance[s] += points[i] * f.cloud.k * weight(s, i);
     f.for_each_neighbor(i, [&](std::uint32_t q) {
       const std::uint32_t t = f.label[q];
-      if(t != s && f.distance(s, q) > std::uint64_t(f.tolerance_of(q).distance))
-        balance[s] -= points[i] * 2 * (t >= first_mark ? one : (std::min)(one, 3 * (one - weight(t, q))));
+      if(t != s && f.distance(s, q) > std::uint64_t(f.tolerance_of(i).distance))
+        balance[s] -= points[i] * 3 * (t >= first_mark ? one : (std::min)(one, 3 * (one - weight(t, q))));
     });
   }
   return balance;

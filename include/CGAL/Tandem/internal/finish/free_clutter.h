@@ -60,10 +60,11 @@ struct Sum_balances {
 private:
   CGAL_TANDEM_HD std::int64_t balance_of(std::uint32_t i, std::uint32_t s) const
   {
+    const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
     std::int64_t result = cloud.k * weight(i, s);
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], cloud.tolerance_of(row[j], tolerance).distance))
+      if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], distance))
         result -= tuning::score::free_link * free_weight(row[j]);
     return result;
   }
