@@ -65,7 +65,7 @@ private:
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], distance))
-        result -= tuning::score::free_link * free_weight(row[j]);
+        result -= tuning::score::free_link.of(free_weight(row[j]));
     return result;
   }
 

@@ -5,7 +5,7 @@
 //
 //   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane, epsilon: tolerance of
 //                                                                     the point; free points count 0
-//     - beta / k (links between two shapes + 3 links between a shape and a free point)
+//     - 1 / k (beta * links between two shapes + gamma * links between a shape and a free point)
 //     + mu * sum over shapes of N log2(N / m)                          N points, m: minimum size of a shape
 //     - c m * (number of shapes)
 //     - rho * sum over degrees of freedom of m + N / 10         N: points of the largest shape that it belongs to
@@ -118,8 +118,7 @@ public:
   // Of so many links between two shapes, and between a shape and free points.
   CGAL_TANDEM_HD std::int64_t links(std::int64_t between_shapes, std::int64_t to_free = 0) const
   {
-    const std::int64_t free_link = tuning::score::free_link;
-    return -(between_shapes + free_link * to_free) * link_ / k_;
+    return -(between_shapes * link_ + tuning::score::free_link.of(to_free * unit)) / k_;
   }
 
   // B(N) = mu N log2(N / m); no overflow for up to 2^37 points.
