@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
 }
 
-// k times the weight of each point, minus 9/4 of what its neighbors of other labels beyond epsilon of its plane
+// k times the weight of each point, minus 3/2 of what its neighbors of other labels beyond epsilon of its plane
 // count: free ones 1, others by how far they are from their own planes.
 std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std::uint32_t>& points)
 {
@@ -76,7 +76,7 @@ std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std:
     f.for_each_neighbor(i, [&](std::uint32_t q) {
       const std::uint32_t t = f.label[q];
       if(t != s && f.distance(s, q) > std::uint64_t(f.tolerance_of(i).distance))
-        balance[s] -= points[i] * ((t >= first_mark ? one : (std::min)(one, 3 * (one - weight(t, q)))) * 9 / 4);
+        balance[s] -= points[i] * ((t >= first_mark ? one : 6 * (one - weight(t, q))) * 3 / 2);
     });
   }
   return balance;

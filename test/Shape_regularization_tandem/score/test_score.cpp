@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(test_parts)
     CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2, where);
     CHECK_AT(are_near(double(score.price()) / unit, -.3 * double(minimum), 1 / unit), where);
     CHECK_AT(are_near(double(score.freedom(700)) / unit, -regularity * (double(minimum) + 70), .01), where);
-    CHECK_AT(are_near(double(score.links(24, 4)) / unit, -(.5 * 24 + 2.25 * 4) / k, 1 / unit), where);
+    CHECK_AT(are_near(double(score.links(24, 4)) / unit, -(.5 * 24 + 1.5 * 4) / k, 1 / unit), where);
     const std::int64_t epsilon = std::int64_t(37) << 28;
     const double fraction = 2 * random.uniform() - 1;
     const std::int64_t d = std::int64_t(fraction * double(epsilon)), weight = Score::weight({1, epsilon}, d);

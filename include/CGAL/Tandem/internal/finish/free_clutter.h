@@ -23,8 +23,8 @@ struct Balance_run {
 
 // For each cell, sums the balance of the shapes of its surfels: k times the weight of each point, minus what the
 // neighbors beyond epsilon of the plane count as free points. Free points count 1. Points of other shapes count by how
-// far they are from their own planes, so that parallel planes through one tree do not support each other: 1 where they
-// are as far as points of a volume are on average, and 0 on a face. Integer sums, so the order does not matter.
+// far they are from their own planes, so that parallel planes through one tree do not support each other: 1 on average
+// in a volume, and about 0 on a face. Integer sums, so the order does not matter.
 template <class Backend>
 struct Sum_balances {
   Cloud_view cloud;
@@ -78,8 +78,7 @@ private:
   {
     if(label[q] >= first_mark)
       return Score::unit;
-    const std::int64_t distance = 3 * (Score::unit - weight(q, label[q])); // 1/3 is the mean of a volume
-    return distance < Score::unit ? distance : Score::unit;
+    return 6 * (Score::unit - weight(q, label[q])); // a layer of a volume that is sqrt(2) epsilon thick has 1/6
   }
 };
 

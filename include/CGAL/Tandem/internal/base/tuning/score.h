@@ -21,7 +21,7 @@ constexpr std::int64_t unit = 4096;
 // What the links of a point to other shapes cost, if all are. Without it noisy faces split into planes that interleave.
 constexpr Ratio link = {1, 2};
 // What those to free points cost, if all are. Less: planes through clutter stay. More: noisy faces become free.
-constexpr Ratio free_link = {9, 4};
+constexpr Ratio free_link = {3, 2};
 // Of a shape, in minimum sizes. From 1 on small faces are missed.
 constexpr Ratio price = {3, 10};
 // What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
