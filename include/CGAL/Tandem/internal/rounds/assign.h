@@ -192,8 +192,10 @@ private:
       return true;
     if((changed.labels & entries[i]) == 0)
       return false;
+    if(has_changed(i))
+      return true;
     const std::uint32_t* neighbor = cloud.row(i);
-    bool result = has_changed(i);
+    bool result = false;
     int j = 0;
     for(; j < cloud.k && neighbor[j] < cloud.size; ++j)
       result |= has_changed(neighbor[j]); // no branch, which could not be predicted
