@@ -287,8 +287,8 @@ struct Set_assigned {
   }
 };
 
-// The first labels: a surfel that does not fit its shape leaves it; one that the last assignment chose fits a shape that
-// has not changed since. Notes which labels are others than those that it chose, and where shapes have changed.
+// The first labels: a surfel that does not fit its shape leaves it; one that the last assignment chose fits a shape
+// that has not changed since. Notes which labels are others than those that it chose, and where shapes have changed.
 template <class Backend>
 struct Start_assignment {
   Cloud_view cloud;
