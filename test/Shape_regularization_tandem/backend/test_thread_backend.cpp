@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(passes)
     Given given;
     double items, loops, cell_loops;
   };
-  for(const Bounds& most : {Bounds{Given::normals, 98.1, 180, 15.2}, Bounds{Given::nothing, 132.8, 202, 15.7}})
+  for(const Bounds& most : {Bounds{Given::normals, 112.7, 230, 18.7}, Bounds{Given::nothing, 139.2, 228, 17.9}})
     for(const std::size_t points : {30000, 120000}) {
       Thread_backend::loops = Thread_backend::items = Thread_backend::cell_loops = 0;
       const Cloud cloud = to_cloud(scenes::make_scene("indoor", scene_options(points, .001, .1)));

@@ -142,7 +142,7 @@ struct Adjacency {
   template <class Unite>
   CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
   {
-    if(q < range.first || q >= range.last || label[q] >= first_mark)
+    if(q - range.first >= range.size() || label[q] >= first_mark)
       return;
     if(label[r] == label[q])
       return unite(r, q); // a surfel is in the range with its neighbors

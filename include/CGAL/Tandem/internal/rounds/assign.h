@@ -27,6 +27,12 @@ struct Assigned_shape {
   Plane plane;
   std::int64_t bonus;        // of one more point
   std::int64_t plane_number; // of the relations, -1: none
+
+  CGAL_TANDEM_HD bool operator==(const Assigned_shape& s) const
+  {
+    return plane.nx == s.plane.nx && plane.ny == s.plane.ny && plane.nz == s.plane.nz && plane.d == s.plane.d &&
+           bonus == s.bonus && plane_number == s.plane_number;
+  }
 };
 
 // Some surfels, a bit each, by block.
@@ -51,9 +57,9 @@ struct Label_changes {
 // plane exchange no surfels, since the plane does not tell them apart. Labels are only read, so the order of surfels
 // does not matter.
 //
-// The choice is that of before where no label around has changed in the last two passes, and either no plane has changed
-// since the surfel was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is
-// not visited has the same labels in both tables.
+// The choice is that of before where no label around has changed in the last two passes, and either no shape around has
+// changed since the surfel was considered, or its neighbors were of no other shape. So a pass visits few blocks. One
+// that is not visited has the same labels in both tables.
 template <class Backend>
 struct Assignment_passes {
   enum Step { begin, visit, steps };
@@ -61,10 +67,11 @@ struct Assignment_passes {
   Cloud_view cloud;
   const Assigned_shape* shape;
   std::size_t blocks;
-  const Block_row* row;         // by block
-  const Block_entries* entries; // by surfel
-  const Block_surfels* outside; // changed before the first pass, by block
-  Block_surfels* recent;        // changed lately, by block
+  const Block_row* row;          // by block
+  const Block_entries* entries;  // by surfel
+  const Block_surfels* outside;  // changed before the first pass, by block
+  const std::uint32_t* is_moved; // by block: has surfels of shapes that have changed since the last assignment
+  Block_surfels* recent;         // changed lately, by block
   Label_changes changes;
   Block_surfels* border;      // by block: surfels that had a neighbor in another shape
   std::uint32_t* has_changes; // by pass
@@ -123,9 +130,10 @@ private:
   {
     const Block_entries changed = changed_entries(b, recent);
     const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
-    if(changed == 0 && !has_border)
+    const Block_entries moved = has_border ? changed_entries(b, is_moved) : Block_entries(0);
+    if((changed | moved) == 0)
       return;
-    for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, changed); });
+    for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, {changed, moved}); });
   }
 
   // The lanes of a group share the surfels of a block.
@@ -137,10 +145,18 @@ private:
       f(i);
   }
 
-  CGAL_TANDEM_HD void choose(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
+  // The blocks of a row with changes of labels, and of shapes.
+  struct Changed_blocks {
+    Block_entries labels, shapes;
+  };
+
+  CGAL_TANDEM_HD void choose(std::uint32_t i, std::uint32_t pass, const Changed_blocks& changed) const
   {
     const std::uint32_t s = label[pass % 2][i];
-    const bool is_chosen = (s >= first_mark || is_considered(i, pass)) && is_concerned(i, pass, changed);
+    // The first pass has seen the shapes around free surfels.
+    const bool is_chosen = s < first_mark
+                             ? is_considered(i, pass) && is_concerned(i, changed)
+                             : is_concerned(i, {changed.labels, pass == 0 ? changed.shapes : Block_entries(0)});
     const std::uint32_t t = is_chosen ? best_of(i, label[pass % 2]) : s;
     label[(pass + 1) % 2][i] = t;
     if(t == s)
@@ -170,20 +186,20 @@ private:
   CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::surfels] & bit_of(i)) != 0; }
 
   // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by planes.
-  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
+  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, const Changed_blocks& changed) const
   {
-    if(has_new_planes(pass) && is_at_border(i))
+    if((changed.shapes & entries[i]) != 0 && is_at_border(i))
       return true;
-    if((changed & entries[i]) == 0)
+    if((changed.labels & entries[i]) == 0)
       return false;
+    if(has_changed(i))
+      return true;
     const std::uint32_t* neighbor = cloud.row(i);
-    bool result = has_changed(i);
-    for(int j = 0; j < cloud.k && neighbor[j] != no_index; ++j) {
-      if(neighbor[j] >= cloud.size)
-        return true;
+    bool result = false;
+    int j = 0;
+    for(; j < cloud.k && neighbor[j] < cloud.size; ++j)
       result |= has_changed(neighbor[j]); // no branch, which could not be predicted
-    }
-    return result;
+    return result || (j < cloud.k && neighbor[j] != no_index);
   }
 
   // Of the own label and those of neighbors. Ties go to the smaller one.
@@ -258,34 +274,43 @@ struct Set_assigned {
   const Shape* shape;
   const Plane* plane;
   Score score;
+  const Assigned_shape* last; // those of the last assignment, so many
+  std::size_t last_shapes;
   Assigned_shape* assigned;
+  std::uint8_t* is_moved;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     const std::int64_t n = shape[id].moments.count;
     assigned[id] = {plane[id], n > 0 ? score.point_bonus(n) : 0, shape[id].plane_number};
+    is_moved[id] = id >= last_shapes || !(assigned[id] == last[id]);
   }
 };
 
-// The first labels: a surfel that does not fit its shape leaves it. Notes which of them are others than those that the
-// last assignment chose.
+// The first labels: a surfel that does not fit its shape leaves it; one that the last assignment chose fits a shape
+// that has not changed since. Notes which labels are others than those that it chose, and where shapes have changed.
 template <class Backend>
 struct Start_assignment {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
+  const std::uint8_t* is_moved; // by shape
   std::uint32_t *chosen, *next; // by surfel
-  Block_surfels* changed;       // by block
+  Block_surfels* changed;       // these two by block
+  std::uint32_t* has_moved;
   Tolerance tolerance;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
     std::uint32_t s = label[i];
-    if(s < first_mark && !cloud.fits(shape[s].plane, i, tolerance))
+    const std::size_t b = i / Block_row::surfels;
+    if(s < first_mark && is_moved[s] && i < cloud.size && Backend::atomic_load(has_moved[b]) == 0)
+      Backend::atomic_exchange_if(has_moved[b], 0u, 1u);
+    if(s < first_mark && (is_moved[s] || chosen[i] != s) && !cloud.fits(shape[s].plane, i, tolerance))
       s = free_label;
     if(i < cloud.size && chosen[i] != s)
-      Backend::atomic_add(changed[i / Block_row::surfels], bit_of(i));
+      Backend::atomic_add(changed[b], bit_of(i));
     chosen[i] = next[i] = s;
   }
 };
@@ -358,22 +383,28 @@ public:
   {
     update_tables(points_, shapes, tables::moments);
     Buffer<Assigned_shape> assigned(shapes.size);
+    Buffer<std::uint8_t> is_moved(shapes.size);
     for_each_shape(backend_, shapes,
-                   Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
+                   Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned_.data(),
+                                assigned_.size(), assigned.data(), is_moved.data()});
+    assigned_ = std::move(assigned);
     const Cloud_view cloud = points_.cloud.view();
     const std::size_t blocks = block_.row.size();
     Buffer<std::uint32_t> next(chosen_.size());
     auto outside = filled_buffer(backend_, blocks, Block_surfels(0));
+    auto has_moved = filled_buffer(backend_, blocks, std::uint32_t(0));
     auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
     Buffer<Block_surfels> recent(blocks);
-    backend_.for_each(chosen_.size(), Start_assignment<Backend>{cloud, points_.label(), assigned.data(), chosen_.data(),
-                                                                next.data(), outside.data(), options.growth.tolerance});
+    backend_.for_each(chosen_.size(), Start_assignment<Backend>{
+                                        cloud, points_.label(), assigned_.data(), is_moved.data(), chosen_.data(),
+                                        next.data(), outside.data(), has_moved.data(), options.growth.tolerance});
     const Assignment_passes<Backend> passes = {cloud,
-                                               assigned.data(),
+                                               assigned_.data(),
                                                blocks,
                                                block_.row.data(),
                                                block_.of_surfel.data(),
                                                outside.data(),
+                                               has_moved.data(),
                                                recent.data(),
                                                {changes_.data(), changes_.data() + blocks},
                                                border_.data(),
@@ -405,6 +436,7 @@ private:
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
   Block_rows<Backend> block_;
+  Buffer<Assigned_shape> assigned_;
   Buffer<std::uint32_t> chosen_; // by surfel
   Buffer<Block_surfels> border_; // these two as in Assignment_passes
   Buffer<Block_surfels> changes_;

@@ -9,7 +9,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
 
-#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
+#include <CGAL/Tandem/internal/rounds/Split_trials.h>
 #include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
@@ -17,135 +17,6 @@
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
 namespace CGAL::Tandem::internal {
-
-// --- What two planes in place of one gain, see score/Score.h. Changes nothing. See the manual, "Splits".
-
-// Whether the point is nearer to the first plane.
-CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_point& p)
-{
-  const std::int64_t da = signed_distance(a, p), db = signed_distance(b, p);
-  return (da < 0 ? -da : da) < (db < 0 ? -db : db);
-}
-
-// The planes of both parts; the same one twice where none have been found.
-struct Split {
-  Plane first, second;
-
-  CGAL_TANDEM_HD bool has_in_second(const Grid_point& p) const { return is_nearer(second, first, p); }
-};
-
-// What a split changes: the sum of the weights of points, the points of the second part, the contact of both parts.
-struct Split_account {
-  std::int64_t fit = 0;
-  std::uint64_t second = 0;
-  Contact contact;
-};
-
-// The sampled points of a shape.
-struct Point_sample {
-  const Sampled_point* point;
-  std::uint32_t size;
-
-  CGAL_TANDEM_HD const Grid_point& operator[](std::uint32_t i) const { return point[i].point; }
-  CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
-};
-
-// A trial fits planes to two halves of a sample of the points; in half of the trials, points then go to the nearer plane, in
-// turn. That finds steps far from the middle, where noise is low; where it is high, it leads away from them. By a group of
-// lanes, which share the points of the sample.
-class Split_trials {
-public:
-  static constexpr int starts = 8; // bits of a byte
-  static constexpr int halves_of_starts = 6;
-  static constexpr std::int64_t sample_size = tuning::moves::split_sample;
-
-  explicit Split_trials(const Stage_parameters& options)
-    : score_(options.score),
-      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
-  {}
-
-  // Whether a shape would be worth its price if it took all squared distances away.
-  CGAL_TANDEM_HD bool may_split(const Shape& s) const
-  {
-    return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
-  }
-
-  CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
-  {
-    const Eigen_system axes = eigen_system(s.scatter.matrix);
-    const Plane whole = rounded(s.local);
-    const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
-    Halves halves(sample, all,
-                  [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start % halves_of_starts); });
-    Split split = {whole, whole};
-    for(int step = 0; step < (start < 4 ? 1 : tuning::moves::split_steps); ++step) {
-      if(halves.first.count < 3 || halves.second.count < 3)
-        return {whole, whole};
-      split = {plane_of(halves.first), plane_of(halves.second)};
-      halves = Halves(sample, all, [&](const Grid_point& p) { return split.has_in_second(p); });
-    }
-    return split;
-  }
-
-private:
-  // The sum of what f(i, sum) adds for the points of a sample.
-  template <class Sum, class F>
-  CGAL_TANDEM_HD static Sum sum_of(const Point_sample& sample, F f)
-  {
-    Sum sum = Sum();
-    for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size())
-      f(i, sum);
-    return Lane_group::sum(sum);
-  }
-
-  // The moments of those points of a sample that are in the second half, and of the others.
-  struct Halves {
-    template <class Predicate>
-    CGAL_TANDEM_HD Halves(const Point_sample& sample, const Moments& all, Predicate is_second) : first(all)
-    {
-      second = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) {
-        if(is_second(sample[i]))
-          sum.add(sample[i]);
-      });
-      first -= second;
-    }
-
-    Moments first, second;
-  };
-
-  CGAL_TANDEM_HD static Plane plane_of(const Moments& m)
-  {
-    Fitted_moments f;
-    f.moments = m;
-    refit(f);
-    return rounded(f.local);
-  }
-
-  // Halves along both axes and both diagonals, of the distance, middle and ends.
-  CGAL_TANDEM_HD static bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start)
-  {
-    const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
-    const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
-    const double square = along * along * axes.value[1] - across * across * axes.value[2]; // of a product of diagonals
-    switch(start) {
-    case 0:
-      return along > 0;
-    case 1:
-      return across > 0;
-    case 2: // both have widths of one standard deviation
-      return along > 0 ? across > 0 || square > 0 : across > 0 && square < 0;
-    case 3:
-      return along > 0 ? across < 0 || square > 0 : across < 0 && square < 0;
-    case 4:
-      return dot(from_center, axes.vector[0]) > 0;
-    default:
-      return along * along * s.scatter.count > axes.value[2];
-    }
-  }
-
-  Score score_;
-  double per_square_; // units of the score for a squared grid step
-};
 
 // Shapes that may gain by a split.
 struct May_split {
@@ -196,122 +67,54 @@ struct Put_split {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { split[found[i].number] = found[i].split; }
 };
 
-// In which parts of its shape a surfel is: a bit for each trial, 0 for shapes that are no candidates.
-struct Choose_parts {
-  const Grid_point* point;
-  const std::uint32_t* label;
-  const std::uint32_t* candidate_of; // by shape
-  const Split* split;                // by trial
-  std::uint8_t* parts;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const std::uint32_t candidate = label[i] < first_mark ? candidate_of[label[i]] : no_index;
-    unsigned result = 0;
-    for(unsigned t = 0; candidate != no_index && t < Split_trials::starts; ++t)
-      result |= unsigned(split[candidate * Split_trials::starts + t].has_in_second(point[i])) << t;
-    parts[i] = std::uint8_t(result);
-  }
-};
-
-// A surfel goes to the part where most of its neighbors of the same shape are; of equally many, it stays. Otherwise the
-// noise of points between two layers would cut links everywhere.
-struct Smooth_parts {
-  Cloud_view cloud;
-  const std::uint32_t* label;
-  const std::uint8_t* parts;
-  std::uint8_t* smooth;
-
-  CGAL_TANDEM_HD void operator()(std::size_t at) const
-  {
-    const std::uint32_t i = std::uint32_t(at);
-    int balance[Split_trials::starts] = {}; // of neighbors in the second and in the first part
-    const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(label[row[j]] == label[i])
-        for(unsigned t = 0; t < Split_trials::starts; ++t)
-          balance[t] += int(parts[row[j]] >> t & 1u) * 2 - 1;
-    unsigned result = parts[i];
-    for(unsigned t = 0; t < Split_trials::starts; ++t)
-      if(balance[t] != 0)
-        result = (result & ~(1u << t)) | unsigned(balance[t] > 0) << t;
-    smooth[i] = std::uint8_t(result);
-  }
-};
-
-struct Accounts_run {
+// Surfels of one candidate after each other, and what they add.
+template <class Sum>
+struct Trials_run {
   std::uint32_t candidate = no_index;
-  Split_account account[Split_trials::starts];
+  Sum sum[Split_trials::starts] = {};
 };
 
-// Sums the accounts of all trials, cell by cell.
-template <class Backend>
-struct Sum_accounts {
+// The candidates of the surfels of a cell.
+struct Candidates_view {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
-  const std::uint32_t* candidate_of; // by shape
+  const std::uint32_t* candidate_of; // by shape; no_index if it is none
+  const Split* split;                // by trial
   const Plane* plane;                // by shape
-  const Split* split;                // these two by trial
-  Split_account* sum;
-  const std::uint8_t* parts;
   Tolerance tolerance;
 
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  CGAL_TANDEM_HD std::uint32_t candidate(std::uint32_t i) const
   {
+    return label[i] < first_mark ? candidate_of[label[i]] : no_index;
+  }
+
+  // f(i, run) for the surfels of candidates, and add(run) at the end of a run.
+  template <class Sum, class Block, class F, class Add>
+  CGAL_TANDEM_HD void accumulate(Block& block, std::uint32_t c, F f, Add add) const
+  {
+    using Run = Trials_run<Sum>;
     if(!cells.may_have(block, c, [&](std::uint32_t s) { return candidate_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
-    const auto add = [&](const Accounts_run& run) { add_to_sum(run); };
-    block.template accumulate<Accounts_run>(
+    const auto end_run = [&](const Run& run) {
+      for(std::uint32_t t = 0; run.candidate != no_index && t < Split_trials::starts; ++t)
+        add(run.candidate * Split_trials::starts + t, run.sum[t]);
+    };
+    block.template accumulate<Run>(
       cell.size(),
-      [&](std::uint32_t at, Accounts_run& run) {
-        const std::uint32_t i = cell.first + at, candidate = label[i] < first_mark ? candidate_of[label[i]] : no_index;
-        if(candidate == no_index)
+      [&](std::uint32_t at, Run& run) {
+        const std::uint32_t i = cell.first + at, own = candidate(i);
+        if(own == no_index)
           return;
-        if(candidate != run.candidate) {
-          add_to_sum(run);
-          run = Accounts_run();
-          run.candidate = candidate;
+        if(own != run.candidate) {
+          end_run(run);
+          run = Run();
+          run.candidate = own;
         }
-        account(i, run);
+        f(i, run);
       },
-      add);
-  }
-
-private:
-  CGAL_TANDEM_HD void add_to_sum(const Accounts_run& run) const
-  {
-    for(std::uint32_t t = 0; run.candidate != no_index && t < Split_trials::starts; ++t) {
-      Split_account& target = sum[run.candidate * Split_trials::starts + t];
-      Backend::atomic_add(target.fit, run.account[t].fit);
-      Backend::atomic_add(target.second, run.account[t].second);
-      atomic_add<Backend>(target.contact, run.account[t].contact);
-    }
-  }
-
-  CGAL_TANDEM_HD void account(std::uint32_t i, Accounts_run& run) const
-  {
-    const Split* const own = split + run.candidate * Split_trials::starts;
-    const std::int64_t points = cloud.surfels.points(i).size();
-    const std::int64_t before = weight(plane[label[i]], i);
-    std::uint32_t cut[Split_trials::starts] = {};
-    const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(label[row[j]] == label[i])
-        for(std::uint32_t t = 0; t < Split_trials::starts; ++t)
-          cut[t] += (parts[i] ^ parts[row[j]]) >> t & 1u;
-    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
-      const bool is_second = (parts[i] >> t & 1u) != 0;
-      Split_account& a = run.account[t];
-      a.fit += points * (weight(is_second ? own[t].second : own[t].first, i) - before);
-      a.second += is_second ? std::uint64_t(points) : 0;
-      if(cut[t] > 0)
-        a.contact.add(cut[t] * cloud.surfels.edge_weight(i),
-                      continuity_at(own[t].first, own[t].second, cloud.point[i], cloud.tolerance_of(i, tolerance)),
-                      cloud.point[i]);
-    }
+      end_run);
   }
 
   CGAL_TANDEM_HD std::int64_t weight(const Plane& p, std::uint32_t i) const
@@ -321,12 +124,182 @@ private:
   }
 };
 
+// In which parts of its shape a surfel is: a bit for each trial. Bounds the fit that a trial may gain: no surfel is
+// worth more than on the nearer plane.
+template <class Backend>
+struct Choose_parts {
+  Candidates_view view;
+  std::uint8_t* parts;
+  std::int64_t* most; // by trial
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  {
+    view.template accumulate<std::int64_t>(
+      block, c, [&](std::uint32_t i, Trials_run<std::int64_t>& run) { choose(i, run); },
+      [&](std::uint32_t t, std::int64_t sum) { Backend::atomic_add(most[t], sum); });
+  }
+
+private:
+  CGAL_TANDEM_HD void choose(std::uint32_t i, Trials_run<std::int64_t>& run) const
+  {
+    const Grid_point& p = view.cloud.point[i];
+    const double distance = double(view.cloud.tolerance_of(i, view.tolerance).distance);
+    const double per_square = double(Score::unit) / (distance * distance);
+    const std::int64_t points = view.cloud.surfels.points(i).size();
+    const std::int64_t missing = Score::unit - view.weight(view.plane[view.label[i]], i);
+    unsigned result = 0;
+    for(unsigned t = 0; t < Split_trials::starts; ++t) {
+      const Split& split = view.split[run.candidate * Split_trials::starts + t];
+      const std::int64_t a = signed_distance(split.first, p), b = signed_distance(split.second, p);
+      const std::int64_t da = a < 0 ? -a : a, db = b < 0 ? -b : b;
+      result |= unsigned(db < da) << t;
+      const double d = double(db < da ? db : da), square = d * d * per_square;
+      run.sum[t] += points * (missing - std::int64_t(square < double(Score::unit) ? square : double(Score::unit)));
+    }
+    parts[i] = std::uint8_t(result);
+  }
+};
+
+// Trials are left that gain by what is known of them, and candidates with such trials.
+struct Leave_trials {
+  const Shape* shape;
+  const std::uint32_t* id;      // of the candidates
+  const Split_account* account; // these two by trial
+  const std::int64_t* most;     // bounds of the fit
+  Score score;
+  std::uint8_t* left; // by candidate, a bit for each trial
+  std::uint32_t* candidate_of;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    unsigned result = 0;
+    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
+      const std::size_t trial = i * Split_trials::starts + t;
+      result |= unsigned(split_gain(score, account[trial], most[trial], shape[id[i]].moments.count) > 0) << t;
+    }
+    left[i] = std::uint8_t(result);
+    if(result == 0)
+      candidate_of[id[i]] = no_index;
+  }
+};
+
+// A byte for each bit, 0 or 1, to count the bits of up to 255 sets at once.
+CGAL_TANDEM_HD inline std::uint64_t bytes_of_bits(std::uint8_t bits)
+{
+  constexpr std::uint64_t ones = 0x0101010101010101;
+  return (((bits * ones) & 0x8040201008040201) + 0x7f * ones) >> 7 & ones;
+}
+
+// A surfel goes to the part where most of its neighbors of the same shape are; of equally many, it stays. Otherwise the
+// noise of points between two layers would cut links everywhere.
+struct Smooth_parts {
+  Candidates_view view;
+  const std::uint8_t* parts;
+  std::uint8_t* smooth;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at);
+    unsigned result = parts[i];
+    if(view.candidate(i) != no_index) {
+      std::uint64_t second = 0; // neighbors in the second part, by bytes
+      unsigned all = 0;
+      const std::uint32_t* row = view.cloud.row(i);
+      for(int j = 0; j < view.cloud.k && row[j] != no_index; ++j)
+        if(view.label[row[j]] == view.label[i]) {
+          second += bytes_of_bits(parts[row[j]]);
+          ++all;
+        }
+      for(unsigned t = 0; t < Split_trials::starts; ++t) {
+        const unsigned of_second = unsigned(second >> 8 * t & 255u);
+        if(2 * of_second != all)
+          result = (result & ~(1u << t)) | unsigned(2 * of_second > all) << t;
+      }
+    }
+    smooth[i] = std::uint8_t(result);
+  }
+};
+
+// Sums the accounts of the trials that are left, cell by cell.
+template <class Backend>
+struct Sum_accounts {
+  Candidates_view view;
+  const std::uint8_t* left; // by candidate
+  const std::uint8_t* parts;
+  Split_account* sum; // by trial
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  {
+    view.template accumulate<Split_account>(
+      block, c, [&](std::uint32_t i, Trials_run<Split_account>& run) { account(i, run); },
+      [&](std::uint32_t t, const Split_account& a) {
+        Backend::atomic_add(sum[t].second, a.second);
+        atomic_add<Backend>(sum[t].contact, a.contact);
+      });
+  }
+
+private:
+  CGAL_TANDEM_HD void account(std::uint32_t i, Trials_run<Split_account>& run) const
+  {
+    const Cloud_view& cloud = view.cloud;
+    const std::uint64_t points = std::uint64_t(cloud.surfels.points(i).size());
+    std::uint64_t cut = 0; // links, by bytes
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(view.label[row[j]] == view.label[i])
+        cut += bytes_of_bits(std::uint8_t(parts[i] ^ parts[row[j]]));
+    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
+      run.sum[t].second += points * (parts[i] >> t & 1u);
+      const std::uint64_t links = cut >> 8 * t & 255u;
+      if(links == 0 || (left[run.candidate] >> t & 1u) == 0)
+        continue;
+      const Split& split = view.split[run.candidate * Split_trials::starts + t];
+      run.sum[t].contact.add(
+        links * cloud.surfels.edge_weight(i),
+        continuity_at(split.first, split.second, cloud.point[i], cloud.tolerance_of(i, view.tolerance)),
+        cloud.point[i]);
+    }
+  }
+};
+
+// Sums how the weights of points change by the trials that are left.
+template <class Backend>
+struct Sum_fits {
+  Candidates_view view;
+  const std::uint8_t* left; // by candidate
+  const std::uint8_t* parts;
+  std::int64_t* fit; // by trial
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  {
+    view.template accumulate<std::int64_t>(
+      block, c, [&](std::uint32_t i, Trials_run<std::int64_t>& run) { add(i, run); },
+      [&](std::uint32_t t, std::int64_t sum) { Backend::atomic_add(fit[t], sum); });
+  }
+
+private:
+  CGAL_TANDEM_HD void add(std::uint32_t i, Trials_run<std::int64_t>& run) const
+  {
+    const std::int64_t points = view.cloud.surfels.points(i).size();
+    const std::int64_t before = view.weight(view.plane[view.label[i]], i);
+    for(std::uint32_t t = 0; t < Split_trials::starts; ++t)
+      if((left[run.candidate] >> t & 1u) != 0) {
+        const Split& split = view.split[run.candidate * Split_trials::starts + t];
+        run.sum[t] += points * (view.weight((parts[i] >> t & 1u) != 0 ? split.second : split.first, i) - before);
+      }
+  }
+};
+
 // The first of the best trials of each candidate, with the plane of the larger part first, and what it gains.
 struct Choose_split {
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
-  const Split* trial;      // these two by trial
+  const Split* trial;      // these three by trial
   const Split_account* account;
+  const std::int64_t* fit;
   Score score;
   Split* split;       // by candidate
   std::int64_t* gain; // by candidate
@@ -336,7 +309,7 @@ struct Choose_split {
     const std::int64_t n = shape[id[i]].moments.count;
     std::size_t best = 0;
     for(std::size_t t = i * Split_trials::starts; t < (i + 1) * Split_trials::starts; ++t) {
-      const std::int64_t g = gain_of(account[t], n);
+      const std::int64_t g = split_gain(score, account[t], fit[t], n);
       if(t % Split_trials::starts == 0 || g > gain[i]) {
         best = t;
         gain[i] = g;
@@ -345,15 +318,6 @@ struct Choose_split {
     split[i] = trial[best];
     if(2 * std::int64_t(account[best].second) > n)
       split[i] = {trial[best].second, trial[best].first};
-  }
-
-private:
-  CGAL_TANDEM_HD std::int64_t gain_of(const Split_account& a, std::int64_t n) const
-  {
-    const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
-    const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
-    return (continuity * size + (Contact::one - continuity) * a.fit) / Contact::one + score.price() +
-           score.links(std::int64_t(a.contact.links));
   }
 };
 
@@ -429,24 +393,36 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
                                                     Take_split{trial.data(), points.ranks.own_items()});
     backend.for_each(all.size(), Put_split{all.data(), trial.data()});
   }
-  const auto candidate_of = places_of(backend, shapes.size, id);
-  Buffer_of<Backend, std::uint8_t> parts(points.cloud.size_with_ghosts());
-  backend.for_each(parts.size(), Choose_parts{points.cloud.point.data(), points.label(), candidate_of.data(),
-                                              trial.data(), parts.data()});
-  Buffer_of<Backend, std::uint8_t> smooth(parts.size());
-  backend.for_each(points.cloud.number_of_surfels(),
-                   Smooth_parts{points.cloud.view(), points.label(), parts.data(), smooth.data()});
-  points.ranks.refresh(smooth.data(), Rings::inner);
+  auto candidate_of = places_of(backend, shapes.size, id);
+  const Candidates_view view = {points.cloud.view(),     points.listed_parts(), points.label(),
+                                candidate_of.data(),     trial.data(),          shapes.plane.data(),
+                                options.growth.tolerance};
+  const std::size_t n = points.cloud.number_of_surfels();
+  auto parts = filled_buffer(backend, points.cloud.size_with_ghosts(), std::uint8_t(0));
+  auto most = filled_buffer(backend, trial.size(), std::int64_t(0));
+  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
+                                             Choose_parts<Backend>{view, parts.data(), most.data()});
+  points.ranks.sum(most.data(), most.size());
+  points.ranks.refresh(parts.data(), Rings::inner);
   auto account = filled_buffer(backend, trial.size(), Split_account());
-  backend.template for_each_cell<No_scratch>(
-    points.number_of_parts(),
-    Sum_accounts<Backend>{points.cloud.view(), points.listed_parts(), points.label(), candidate_of.data(),
-                          shapes.plane.data(), trial.data(), account.data(), smooth.data(), options.growth.tolerance});
+  Buffer_of<Backend, std::uint8_t> left(id.size()), smooth(parts.size());
+  const Leave_trials leave = {shapes.fitted(), id.data(),   account.data(),     most.data(),
+                              options.score,   left.data(), candidate_of.data()};
+  backend.for_each(id.size(), leave);
+  backend.for_each(n, Smooth_parts{view, parts.data(), smooth.data()});
+  points.ranks.refresh(smooth.data(), Rings::inner);
+  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
+                                             Sum_accounts<Backend>{view, left.data(), smooth.data(), account.data()});
   points.ranks.sum(reinterpret_cast<std::uint64_t*>(account.data()), account.size() * sizeof(Split_account) / 8);
+  backend.for_each(id.size(), leave);
+  auto fit = filled_buffer(backend, trial.size(), std::int64_t(0));
+  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
+                                             Sum_fits<Backend>{view, left.data(), smooth.data(), fit.data()});
+  points.ranks.sum(fit.data(), fit.size());
   found.split.reset(id.size());
   Buffer_of<Backend, std::int64_t> gain(id.size());
-  backend.for_each(id.size(), Choose_split{shapes.fitted(), id.data(), trial.data(), account.data(), options.score,
-                                           found.split.data(), gain.data()});
+  backend.for_each(id.size(), Choose_split{shapes.fitted(), id.data(), trial.data(), account.data(), fit.data(),
+                                           options.score, found.split.data(), gain.data()});
   found.accepted = backend.compact(id.size(), Gains{gain.data()});
   return found;
 }

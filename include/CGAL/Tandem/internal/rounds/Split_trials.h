@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What two planes in place of one gain, see score/Score.h, and where such planes are sought. Changes nothing. See the
+// manual, "Splits".
+
+#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_TRIALS_H
+#define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_TRIALS_H
+
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
+#include <CGAL/Tandem/internal/score/Score.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
+#include <CGAL/Tandem/internal/shapes/Shape.h>
+
+namespace CGAL::Tandem::internal {
+
+// Whether the point is nearer to the first plane.
+CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_point& p)
+{
+  const std::int64_t da = signed_distance(a, p), db = signed_distance(b, p);
+  return (da < 0 ? -da : da) < (db < 0 ? -db : db);
+}
+
+// The planes of both parts; the same one twice where none have been found.
+struct Split {
+  Plane first, second;
+
+  CGAL_TANDEM_HD bool has_in_second(const Grid_point& p) const { return is_nearer(second, first, p); }
+};
+
+// What a split changes, beside the fit: the points of the second part, and the contact of both parts.
+struct Split_account {
+  std::uint64_t second = 0;
+  Contact contact;
+};
+
+// What a split of n points gains; fit: by the weights of the points. It grows with the fit.
+CGAL_TANDEM_HD inline std::int64_t split_gain(const Score& score, const Split_account& a, std::int64_t fit,
+                                              std::int64_t n)
+{
+  const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
+  const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
+  return (continuity * size + (Contact::one - continuity) * fit) / Contact::one + score.price() +
+         score.links(std::int64_t(a.contact.links));
+}
+
+// The sampled points of a shape.
+struct Point_sample {
+  const Sampled_point* point;
+  std::uint32_t size;
+
+  CGAL_TANDEM_HD const Grid_point& operator[](std::uint32_t i) const { return point[i].point; }
+  CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
+};
+
+// A trial fits planes to two halves of a sample of the points; in half of the trials, points then go to the nearer plane, in
+// turn. That finds steps far from the middle, where noise is low; where it is high, it leads away from them. By a group of
+// lanes, which share the points of the sample.
+class Split_trials {
+public:
+  static constexpr int starts = 8; // bits of a byte
+  static constexpr int halves_of_starts = 6;
+  static constexpr std::int64_t sample_size = tuning::moves::split_sample;
+
+  explicit Split_trials(const Stage_parameters& options)
+    : score_(options.score),
+      per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
+  {}
+
+  // Whether a shape would be worth its price if it took all squared distances away.
+  CGAL_TANDEM_HD bool may_split(const Shape& s) const
+  {
+    return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
+  }
+
+  CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
+  {
+    const Eigen_system axes = eigen_system(s.scatter.matrix);
+    const Plane whole = rounded(s.local);
+    const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
+    Halves halves(sample, all,
+                  [&](const Grid_point& p) { return is_in_second_half(s, axes, p, start % halves_of_starts); });
+    Split split = {whole, whole};
+    for(int step = 0; step < (start < 4 ? 1 : tuning::moves::split_steps); ++step) {
+      if(halves.first.count < 3 || halves.second.count < 3)
+        return {whole, whole};
+      split = {plane_of(halves.first), plane_of(halves.second)};
+      halves = Halves(sample, all, [&](const Grid_point& p) { return split.has_in_second(p); });
+    }
+    return split;
+  }
+
+private:
+  // The sum of what f(i, sum) adds for the points of a sample.
+  template <class Sum, class F>
+  CGAL_TANDEM_HD static Sum sum_of(const Point_sample& sample, F f)
+  {
+    Sum sum = Sum();
+    for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size())
+      f(i, sum);
+    return Lane_group::sum(sum);
+  }
+
+  // The moments of those points of a sample that are in the second half, and of the others.
+  struct Halves {
+    template <class Predicate>
+    CGAL_TANDEM_HD Halves(const Point_sample& sample, const Moments& all, Predicate is_second) : first(all)
+    {
+      second = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) {
+        if(is_second(sample[i]))
+          sum.add(sample[i]);
+      });
+      first -= second;
+    }
+
+    Moments first, second;
+  };
+
+  CGAL_TANDEM_HD static Plane plane_of(const Moments& m)
+  {
+    Fitted_moments f;
+    f.moments = m;
+    refit(f);
+    return rounded(f.local);
+  }
+
+  // Halves along both axes and both diagonals, of the distance, middle and ends.
+  CGAL_TANDEM_HD static bool is_in_second_half(const Shape& s, const Eigen_system& axes, const Grid_point& p, int start)
+  {
+    const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
+    const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
+    const double square = along * along * axes.value[1] - across * across * axes.value[2]; // of a product of diagonals
+    switch(start) {
+    case 0:
+      return along > 0;
+    case 1:
+      return across > 0;
+    case 2: // both have widths of one standard deviation
+      return along > 0 ? across > 0 || square > 0 : across > 0 && square < 0;
+    case 3:
+      return along > 0 ? across < 0 || square > 0 : across < 0 && square < 0;
+    case 4:
+      return dot(from_center, axes.vector[0]) > 0;
+    default:
+      return along * along * s.scatter.count > axes.value[2];
+    }
+  }
+
+  Score score_;
+  double per_square_; // units of the score for a squared grid step
+};
+
+} // namespace CGAL::Tandem::internal
+
+#endif // CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_TRIALS_H
