@@ -129,10 +129,6 @@ struct Count_relabeled {
 template <class Backend>
 class Score_watch {
 public:
-  // What may be lost for a point whose label changes. Others than unions take points that do not move meanwhile, and smooth the
-  // border of a split. The distances of a bend within the tolerance are uniform, so it costs a third of its points.
-  static constexpr tuning::Ratio moves = {1, 10}, bends = {1, 3};
-
   Score_watch(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
     : points_(points), shapes_(shapes), options_(options)
   {}
@@ -147,17 +143,21 @@ public:
     return true;
   }
 
-  // Whether it has not fallen since by more than that, and by the bonus of sizes, which counts less in splits and not for
-  // clutter. Then notes it again.
-  bool rises(const tuning::Ratio& lost = moves)
+  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free points, and
+  // a third of a point for each that changes its label. That is what a union of a bend loses where distances up to the
+  // tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed, lose less. Then notes it
+  // again.
+  bool rises()
   {
     const auto own = points_.backend.template sum<1>(
       label_.size(), Count_relabeled{points_.cloud.surfels(), label_.data(), points_.label()});
     const std::int64_t relabeled = std::int64_t(points_.ranks.total(std::size_t(own[0])));
-    const Score_terms before = score_;
+    const Measured_score before = score_;
     begin();
-    return score_.total() + lost.of(relabeled * Score::unit) >=
-           before.total() - (std::max)(before.size - score_.size, std::int64_t(0));
+    const auto fall = [](std::int64_t of, std::int64_t to) { return (std::max)(of - to, std::int64_t(0)); };
+    return score_.terms.total() + fall(before.terms.size, score_.terms.size) +
+             fall(before.free_links, score_.free_links) + relabeled * Score::unit / 3 >=
+           before.terms.total();
   }
 
 private:
@@ -165,7 +165,7 @@ private:
   Shape_table<Backend>& shapes_;
   const Stage_parameters& options_;
   Buffer_of<Backend, std::uint32_t> label_;
-  Score_terms score_;
+  Measured_score score_;
 };
 
 // Touching shapes unite where that gains. Returns whether any do.
@@ -187,7 +187,6 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   for(int round = 0; round < tuning::moves::rounds; ++round) {
     fit_planes(points, shapes);
     split_shapes(points, shapes, options);
-    assert(watch.rises());
     fit_planes(points, shapes);
     assign(shapes, options);
     if(options.has_estimated_normals) {
@@ -196,7 +195,6 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     }
     assert(watch.rises());
     unite(points, shapes, options);
-    assert(watch.rises(Score_watch<Backend>::bends));
     fit_planes(points, shapes);
     free_clutter(points, shapes, options.growth.tolerance);
     assign(shapes, options);
@@ -204,13 +202,12 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   }
   fit_planes(points, shapes);
   separate_components(points, shapes, options);
-  assert(watch.begin()); // what components below the minimum size are worth is lost
+  assert(watch.begin()); // what components below the minimum size were worth is lost
   fit_planes(points, shapes);
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
   assert(watch.rises());
   while(unite(points, shapes, options)) {
-    assert(watch.rises(Score_watch<Backend>::bends));
     fit_planes(points, shapes);
     assign(shapes, options);
     assert(watch.rises());

@@ -119,19 +119,27 @@ inline Score_counts counts_of(const std::vector<std::uint64_t>& sum)
           std::int64_t(sum[Point_measures::free_links])};
 }
 
-// The score of labels and planes without relations, computed anew.
+// Of labels and planes without relations. free_links: the part of the links to free points.
+struct Measured_score {
+  Score_terms terms;
+  std::int64_t free_links = 0;
+};
+
+// Computed anew.
 template <class Backend>
-Score_terms measure_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+Measured_score measure_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                             const Stage_parameters& options)
 {
   update_tables(points, shapes, tables::moments);
   auto opposed = filled_buffer(points.backend, shapes.size, std::uint64_t(0));
-  const auto sums = measure_points(points, {{points.cloud.surfels(), points.label(), nullptr}, points.label()},
-                                   shapes.plane.data(), options.growth.tolerance, opposed);
+  const Score_counts counts =
+    counts_of(measure_points(points, {{points.cloud.surfels(), points.label(), nullptr}, points.label()},
+                             shapes.plane.data(), options.growth.tolerance, opposed));
   std::vector<std::size_t> size;
   for(const Shape& shape : to_vector(points.backend, shapes.counted(), shapes.size))
     if(shape.is_live())
       size.push_back(std::size_t(shape.moments.count));
-  return score_terms(options.score, counts_of(sums), size);
+  return {score_terms(options.score, counts, size), options.score.links(0, counts.free_links)};
 }
 
 } // namespace CGAL::Tandem::internal
