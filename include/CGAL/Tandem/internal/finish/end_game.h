@@ -143,10 +143,10 @@ public:
     return true;
   }
 
-  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free points, and
-  // a third of a point for each that changes its label. That is what a union of a bend loses where distances up to the
-  // tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed, lose less. Then notes it
-  // again.
+  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free points,
+  // and a third of a point for each that changes its label. That is what a union of a bend loses where distances up to
+  // the tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed, lose less. Then
+  // notes it again.
   bool rises()
   {
     const auto own = points_.backend.template sum<1>(
