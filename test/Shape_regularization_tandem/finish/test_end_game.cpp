@@ -3,10 +3,11 @@
 //
 // What detections end with. Relations must not drop faces of hardly more than the minimum size. Planes lie in the
 // middle of their points. Planes through clutter are no shapes: their balance against plain loops on several back ends.
+// The score between stages, likewise, and whether it rises.
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/free_clutter.h>
+#include <CGAL/Tandem/internal/finish/end_game.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
 #include <string>
@@ -80,6 +81,92 @@ std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std:
     });
   }
   return balance;
+}
+
+// By its definition, in double. Free points may have one of two marks.
+std::vector<double> slow_score(const Fixture& f, std::int64_t minimum_size)
+{
+  double fit = 0, links = 0, size = 0, price = 0;
+  std::vector<double> points(f.plane.size(), 0);
+  for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
+    const std::uint32_t s = f.label[i];
+    f.for_each_neighbor(i, [&](std::uint32_t q) {
+      const bool is_free = s >= first_mark, leads_to_free = f.label[q] >= first_mark;
+      links -= is_free && leads_to_free ? 0 : is_free || leads_to_free ? 2.25 : s != f.label[q] ? .5 : 0;
+    });
+    if(s >= first_mark)
+      continue;
+    ++points[s];
+    const double d = double(f.distance(s, i)) / double(f.tolerance_of(i).distance);
+    fit += d < 1 ? 1 - d * d : 0;
+  }
+  for(const double n : points)
+    if(n > 0) {
+      size += .04 * n * std::log2(n / double(minimum_size));
+      price -= .3 * double(minimum_size);
+    }
+  return {fit, links / f.cloud.k, size, price};
+}
+
+Stage_parameters stages_of(const Fixture& f, std::int64_t minimum_size)
+{
+  Stage_parameters options;
+  options.growth.tolerance = f.tolerance;
+  options.score = Score(std::uint64_t(minimum_size), f.cloud.k);
+  return options;
+}
+
+BOOST_AUTO_TEST_CASE(score_of_labels)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    const std::int64_t minimum_size = 20;
+    Labeled_cloud<decltype(backend)> labeled(backend);
+    take_cloud(f, labeled);
+    set_labels(labeled, f.label, f.state);
+    auto shapes = make_table(backend, f.shapes_of_labels(f.plane.size()));
+    shapes.plane = to_buffer(backend, f.plane);
+    const Score_terms got = measure_score(labeled, shapes, stages_of(f, minimum_size)).terms;
+    const std::vector<double> expected = slow_score(f, minimum_size);
+    const std::int64_t terms[] = {got.fit, got.links, got.size, got.price};
+    for(std::size_t t = 0; t < expected.size(); ++t)
+      CHECK_AT(std::fabs(double(terms[t]) / 4096 - expected[t]) <= 1e-3 * double(f.cloud.size),
+               name + ": term " + std::to_string(t) + " is " + std::to_string(terms[t] / 4096) + " instead of " +
+                 std::to_string(expected[t]));
+    CHECK_AT(got.freedom == 0, name);
+  });
+}
+
+// A stage without a move, one that takes points to shapes that they do not fit, and one that takes them back.
+BOOST_AUTO_TEST_CASE(watch_of_the_score)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    if(f.cloud.size < 100)
+      return;
+    const Stage_parameters options = stages_of(f, 1); // some shapes have few points
+    Labeled_cloud<decltype(backend)> labeled(backend);
+    take_cloud(f, labeled);
+    std::vector<std::uint32_t> right = f.label;
+    for(std::uint32_t i = 0; i < f.cloud.size; ++i)
+      if(right[i] < first_mark && 4 * f.distance(right[i], i) > std::uint64_t(f.tolerance_of(i).distance))
+        right[i] = free_label;
+    std::vector<std::uint32_t> wrong = right;
+    for(std::uint32_t i = 0; i < f.cloud.size; i += 16)
+      if(right[i] < first_mark)
+        wrong[i] = (right[i] + 1) % std::uint32_t(f.plane.size());
+    const auto rises = [&](const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
+      set_labels(labeled, from, f.state);
+      Fixture g = f;
+      g.label = from;
+      auto shapes = make_table(backend, g.shapes_of_labels(f.plane.size()));
+      shapes.plane = to_buffer(backend, f.plane);
+      Score_watch<decltype(backend)> watch(labeled, shapes, options);
+      watch.begin();
+      take_chosen(labeled, shapes, to_buffer(backend, to).data());
+      return watch.rises();
+    };
+    CHECK_AT(rises(right, right), name + ": no move");
+    CHECK_AT(!rises(right, wrong) && rises(wrong, right), name + ": points go to wrong shapes, and back");
+  });
 }
 
 // Of surfels that stand for up to three points, with planes that fit some shapes badly; and what becomes of shapes with

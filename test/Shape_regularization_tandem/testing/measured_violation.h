@@ -10,9 +10,9 @@
 #include "count_links.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/result/measure_planes.h>
-#include <CGAL/Tandem/internal/result/measure_shapes.h>
 
 #include <algorithm>
 #include <cmath>

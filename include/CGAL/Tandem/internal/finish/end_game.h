@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/finish/choose_edge_sides.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/free_clutter.h>
+#include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
@@ -19,6 +20,8 @@
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -109,6 +112,62 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
+// --- Debug builds compute the score anew after each stage of the moves. See the manual, "The Score".
+
+// The points of surfels that have other labels than before.
+struct Count_relabeled {
+  Surfels_view surfels;
+  const std::uint32_t *before, *label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sums) const
+  {
+    sums[0] += before[i] != label[i] ? std::int64_t(surfels.points(std::uint32_t(i)).size()) : 0;
+  }
+};
+
+// Planes become those that fit best; nothing else changes.
+template <class Backend>
+class Score_watch {
+public:
+  Score_watch(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+    : points_(points), shapes_(shapes), options_(options)
+  {}
+
+  // Notes the score. True.
+  bool begin()
+  {
+    fit_planes(points_, shapes_);
+    label_.reset(points_.cloud.number_of_surfels());
+    points_.backend.for_each(label_.size(), Copy_items<std::uint32_t>{points_.label(), label_.data()});
+    score_ = measure_score(points_, shapes_, options_);
+    return true;
+  }
+
+  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free points,
+  // and a third of a point for each that changes its label. That is what a union of a bend loses where distances up to
+  // the tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed, lose less. Then
+  // notes it again.
+  bool rises()
+  {
+    const auto own = points_.backend.template sum<1>(
+      label_.size(), Count_relabeled{points_.cloud.surfels(), label_.data(), points_.label()});
+    const std::int64_t relabeled = std::int64_t(points_.ranks.total(std::size_t(own[0])));
+    const Measured_score before = score_;
+    begin();
+    const auto fall = [](std::int64_t of, std::int64_t to) { return (std::max)(of - to, std::int64_t(0)); };
+    return score_.terms.total() + fall(before.terms.size, score_.terms.size) +
+             fall(before.free_links, score_.free_links) + relabeled * Score::unit / 3 >=
+           before.terms.total();
+  }
+
+private:
+  Labeled_cloud<Backend>& points_;
+  Shape_table<Backend>& shapes_;
+  const Stage_parameters& options_;
+  Buffer_of<Backend, std::uint32_t> label_;
+  Measured_score score_;
+};
+
 // Touching shapes unite where that gains. Returns whether any do.
 template <class Backend>
 bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
@@ -123,6 +182,8 @@ template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
 {
+  Score_watch<Backend> watch(points, shapes, options);
+  assert(watch.begin());
   for(int round = 0; round < tuning::moves::rounds; ++round) {
     fit_planes(points, shapes);
     split_shapes(points, shapes, options);
@@ -132,19 +193,24 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
       choose_edge_sides(points, shapes, options.growth.tolerance);
       assign(shapes, options);
     }
+    assert(watch.rises());
     unite(points, shapes, options);
     fit_planes(points, shapes);
     free_clutter(points, shapes, options.growth.tolerance);
     assign(shapes, options);
+    assert(watch.rises());
   }
   fit_planes(points, shapes);
   separate_components(points, shapes, options);
+  assert(watch.begin()); // what components below the minimum size were worth is lost
   fit_planes(points, shapes);
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
+  assert(watch.rises());
   while(unite(points, shapes, options)) {
     fit_planes(points, shapes);
     assign(shapes, options);
+    assert(watch.rises());
   }
 }
 

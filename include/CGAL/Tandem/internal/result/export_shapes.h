@@ -111,12 +111,7 @@ inline Score_terms score_terms(const Shapes_data& data, const std::vector<int>& 
                                const std::vector<std::int64_t>& largest, const Score_counts& counts)
 {
   const Score score(data.parameters);
-  Score_terms terms;
-  terms.fit = counts.fit;
-  terms.links = score.links(counts.links, counts.free_links);
-  for(const std::size_t size : data.size)
-    terms.size += score.size_bonus(std::int64_t(size));
-  terms.price = std::int64_t(data.size.size()) * score.price();
+  Score_terms terms = score_terms(score, counts, data.size);
   for(std::size_t d = 0; d < largest.size(); ++d)
     terms.freedom += freedom[d] * score.freedom(largest[d]);
   for(const std::int64_t size : largest_sizes(data.coplanar_group, data.size))

@@ -9,12 +9,12 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/components.h>
+#include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/result/exact_check.h>
 #include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/result/measure_planes.h>
-#include <CGAL/Tandem/internal/result/measure_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -159,17 +159,10 @@ private:
   void measure_shapes(const std::uint32_t* shape, Engine_result& result)
   {
     auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
-    auto sums = filled_buffer(backend_, Point_measures::size, std::uint64_t(0));
-    backend_.template for_each_cell<Measure_scratch>(
-      points_.number_of_cells(),
-      Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), labels(), plane_.data(), shape,
-                              parameters_.growth.tolerance, opposed_sums.data(), sums.data()});
-    points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
-    points_.ranks.sum(sums.data(), sums.size());
+    const auto sum =
+      measure_points(points_, {labels(), shape}, plane_.data(), parameters_.growth.tolerance, opposed_sums);
     const auto opposed = to_vector(backend_, opposed_sums);
-    const auto sum = to_vector(backend_, sums);
-    result.counts = {std::int64_t(sum[Point_measures::fit]), std::int64_t(sum[Point_measures::links]),
-                     std::int64_t(sum[Point_measures::free_links])};
+    result.counts = counts_of(sum);
     std::size_t points = 0;
     for(std::size_t s = 0; s < result.shapes.size(); ++s) {
       points += result.shapes[s].size;

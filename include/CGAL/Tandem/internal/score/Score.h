@@ -22,6 +22,7 @@
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>
+#include <vector>
 
 namespace CGAL::Tandem::internal {
 
@@ -154,6 +155,18 @@ private:
   std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_;
   Freedom_worth freedom_;
 };
+
+// All terms but that of relations. size: of the shapes.
+inline Score_terms score_terms(const Score& score, const Score_counts& counts, const std::vector<std::size_t>& size)
+{
+  Score_terms terms;
+  terms.fit = counts.fit;
+  terms.links = score.links(counts.links, counts.free_links);
+  for(const std::size_t points : size)
+    terms.size += score.size_bonus(std::int64_t(points));
+  terms.price = std::int64_t(size.size()) * score.price();
+  return terms;
+}
 
 // How continuous the surface of two planes is at a point: 1 where they meet, 0 where the step between them is epsilon or
 // more. It is the product of the weights that the ends of a link have on the planes of each other.

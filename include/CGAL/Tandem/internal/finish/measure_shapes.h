@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of the final shapes: the mean distance of points, the terms of the score that depend on points, and how
-// many normals are opposite to their planes. Computed on the grid by integer sums, so they are the same for every order
-// of the points. Changes nothing else.
+// Statistics of shapes: the mean distance of points, the terms of the score that depend on points, and how many normals
+// are opposite to their planes. Computed on the grid by integer sums, so they are the same for every order of the points.
+// Changes nothing else.
 
-#ifndef CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
-#define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
+#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 namespace CGAL::Tandem::internal {
 
@@ -34,7 +36,7 @@ struct Measure_points {
   const Range* cells;
   Labels_of_points labels;
   const Plane* plane;         // by label
-  const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
+  const std::uint32_t* shape; // of each surfel, and of ghosts; a mark if there is none
   Tolerance tolerance;
   std::uint64_t* opposed; // by shape
   std::uint64_t* sum;     // Point_measures
@@ -51,7 +53,7 @@ struct Measure_points {
       const std::uint32_t i = cell.first + at;
       std::uint64_t of_surfel[Point_measures::size] = {0, 0, 0, 0};
       count_links(i, of_surfel);
-      if(shape[i] != no_index)
+      if(shape[i] < first_mark)
         measure(block, scratch, i, of_surfel);
       for(std::size_t m = 0; m < Point_measures::size; ++m)
         if(is_heavy)
@@ -89,14 +91,57 @@ private:
     const std::uint32_t points = cloud.surfels.points(i).size();
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      if(shape[row[j]] == shape[i])
-        continue;
-      const bool is_free = shape[i] == no_index || shape[row[j]] == no_index;
-      of_surfel[is_free ? Point_measures::free_links : Point_measures::links] += points;
+      const std::uint32_t s = shape[i], t = shape[row[j]];
+      if(s != t && (s < first_mark || t < first_mark))
+        of_surfel[s < first_mark && t < first_mark ? Point_measures::links : Point_measures::free_links] += points;
     }
   }
 };
 
+// The sums of all ranks. Adds the opposite normals of each shape.
+template <class Backend>
+std::vector<std::uint64_t> measure_points(Labeled_cloud<Backend>& points, const Final_shapes& shapes,
+                                          const Plane* plane, const Tolerance& tolerance,
+                                          Buffer_of<Backend, std::uint64_t>& opposed)
+{
+  auto sums = filled_buffer(points.backend, Point_measures::size, std::uint64_t(0));
+  points.backend.template for_each_cell<Measure_scratch>(
+    points.number_of_cells(), Measure_points<Backend>{points.cloud.view(), points.cells.data(), shapes.labels, plane,
+                                                      shapes.shape, tolerance, opposed.data(), sums.data()});
+  points.ranks.sum(opposed.data(), opposed.size());
+  points.ranks.sum(sums.data(), sums.size());
+  return to_vector(points.backend, sums);
+}
+
+inline Score_counts counts_of(const std::vector<std::uint64_t>& sum)
+{
+  return {std::int64_t(sum[Point_measures::fit]), std::int64_t(sum[Point_measures::links]),
+          std::int64_t(sum[Point_measures::free_links])};
+}
+
+// Of labels and planes without relations. free_links: the part of the links to free points.
+struct Measured_score {
+  Score_terms terms;
+  std::int64_t free_links = 0;
+};
+
+// Computed anew.
+template <class Backend>
+Measured_score measure_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                             const Stage_parameters& options)
+{
+  update_tables(points, shapes, tables::moments);
+  auto opposed = filled_buffer(points.backend, shapes.size, std::uint64_t(0));
+  const Score_counts counts =
+    counts_of(measure_points(points, {{points.cloud.surfels(), points.label(), nullptr}, points.label()},
+                             shapes.plane.data(), options.growth.tolerance, opposed));
+  std::vector<std::size_t> size;
+  for(const Shape& shape : to_vector(points.backend, shapes.counted(), shapes.size))
+    if(shape.is_live())
+      size.push_back(std::size_t(shape.moments.count));
+  return {score_terms(options.score, counts, size), options.score.links(0, counts.free_links)};
+}
+
 } // namespace CGAL::Tandem::internal
 
-#endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
+#endif // CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
