@@ -130,14 +130,16 @@ public:
     const auto height = [&](const Regular_plane& p) { return dot(p.normal, at) - p.offset; };
     const double sign = dot(a.fitted.local.normal, b.fitted.local.normal) < 0 ? -1 : 1;
     const double step = (height(a.fitted.local) - sign * height(b.fitted.local)) / epsilon;
-    const double of_planes = links > 0 ? std::pow((std::max)(0., 1 - step * step), 2) : 0;
-    const double continuity = (std::min)(of_links, of_planes);
+    const double cosine = dot(a.fitted.local.normal, b.fitted.local.normal);
+    const double turn = (1 - cosine * cosine) / (1 - options_.squared_cosine);
+    const double of_planes = links > 0 ? std::pow((std::max)(0., 1 - step * step), 2) * (std::max)(0., 1 - turn) : 0;
+    const double continuity = (std::min)(of_links, of_planes), fit_counts = 1 - .75 * continuity;
     const double saved = Score::unit * (.3 * double(options_.minimum_region_size) + links / 2 / 12);
-    const double gain = saved + continuity * size + (1 - continuity) * fit;
+    const double gain = saved + continuity * size + fit_counts * fit;
     // Squares, which count all points, say of some unions that they cost more than is saved, without a look at points.
     const double squares = after_a.squares + after_b.squares - before_a.squares - before_b.squares;
     is_close = std::fabs(gain) < 2 || before < a.size() + b.size() ||
-               (gain > 0 && (1 - continuity) * Score::unit * squares > saved + continuity * size);
+               (gain > 0 && fit_counts * Score::unit * squares > saved + continuity * size);
     return 10 * (b.size() - after_b.points) <= b.size() && 10 * (a.size() - after_a.points) <= a.size() ? gain : 0;
   }
 

@@ -69,7 +69,8 @@ struct Slow_trial {
     const auto bonus = [&](double size) { return double(options.score.size_bonus(std::int64_t(size))); };
     const double second = double(account.second), links = double(account.contact.links);
     const double c = std::floor(256 * double(account.contact.sum) / Score::unit / (std::max)(links, 1.)) / 256;
-    return std::trunc(c * (bonus(n - second) + bonus(second) - bonus(n)) + (1 - c) * double(fit)) +
+    const double fit_counts = 1 - std::floor(.75 * 256 * c) / 256;
+    return std::trunc(c * (bonus(n - second) + bonus(second) - bonus(n)) + fit_counts * double(fit)) +
            double(options.score.price() + options.score.links(std::int64_t(links)));
   }
 };

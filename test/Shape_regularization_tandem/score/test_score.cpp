@@ -93,6 +93,13 @@ BOOST_AUTO_TEST_CASE(test_continuity)
   Contact bend;
   bend.add(3, Score::unit, {0, 0, 0, no_normal});
   check_equal(bend.continuity(), +Contact::one, "where planes meet");
+  // Planes that meet, and turn by up to twice alpha and by right angles.
+  for(double degrees : {0., .01, 1., 5., 15., 25., 25.8, 25.9, 52., 90.}) {
+    const double sine = std::sin(degrees * std::acos(-1) / 180), cosine = std::cos(degrees * std::acos(-1) / 180);
+    const std::int64_t got =
+      continuity_at(rounded({{0, 0, 1}, 7}), rounded({{sine, 0, cosine}, 7 * cosine}), {0, 5, 7, no_normal}, tolerance);
+    check_close(double(got), unit * (std::max)(0., 1 - sine * sine / (1 - .9 * .9)), 2, std::to_string(degrees));
+  }
 }
 
 // k nearest neighbors of all points, in double.

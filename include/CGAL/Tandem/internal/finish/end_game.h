@@ -112,7 +112,14 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
-// --- Debug builds compute the score anew after each stage of the moves. See the manual, "The Score".
+// --- With CGAL_TANDEM_CHECK_SCORE, debug builds compute the score anew after each stage of the moves. See the manual, "The
+// Score".
+
+#ifdef CGAL_TANDEM_CHECK_SCORE
+#define CGAL_TANDEM_EXPENSIVE_ASSERT(condition) assert(condition)
+#else
+#define CGAL_TANDEM_EXPENSIVE_ASSERT(condition) static_cast<void>(0)
+#endif
 
 // The points of surfels that have other labels than before.
 struct Count_relabeled {
@@ -183,7 +190,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
                  Assignment<Backend>& assign)
 {
   Score_watch<Backend> watch(points, shapes, options);
-  assert(watch.begin());
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin());
   for(int round = 0; round < tuning::moves::rounds; ++round) {
     fit_planes(points, shapes);
     split_shapes(points, shapes, options);
@@ -193,24 +200,24 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
       choose_edge_sides(points, shapes, options.growth.tolerance);
       assign(shapes, options);
     }
-    assert(watch.rises());
+    CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
     unite(points, shapes, options);
     fit_planes(points, shapes);
     free_clutter(points, shapes, options.growth.tolerance);
     assign(shapes, options);
-    assert(watch.rises());
+    CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   }
   fit_planes(points, shapes);
   separate_components(points, shapes, options);
-  assert(watch.begin()); // what components below the minimum size were worth is lost
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // what components below the minimum size were worth is lost
   fit_planes(points, shapes);
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
-  assert(watch.rises());
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   while(unite(points, shapes, options)) {
     fit_planes(points, shapes);
     assign(shapes, options);
-    assert(watch.rises());
+    CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   }
 }
 

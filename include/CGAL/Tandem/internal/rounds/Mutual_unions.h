@@ -48,7 +48,7 @@ struct Sampled_shape {
 class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)
-    : score_(options.score), tolerance_(options.growth.tolerance),
+    : score_(options.score), tolerance_(options.growth.tolerance), squared_sine_(1 - options.squared_cosine),
       per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {}
 
@@ -59,12 +59,12 @@ public:
     const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
     const std::int64_t na = a.moments.count, nb = b.moments.count;
     const double continuity = continuity_of(a, b, contact), most = saved(contact) + continuity * bonus(na, nb, na, nb);
-    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most || continuity == 1)
+    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
       return true;
     const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
     const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
-    return !has_eigenvalues_above(
-      joint, std::fma(tuning::exactness::bound_factor, squares + most / (per_square_ * (1 - continuity)), rounding));
+    return !has_eigenvalues_above(joint, std::fma(tuning::exactness::bound_factor,
+                                                  squares + most / (per_square_ * fit_counts(continuity)), rounding));
   }
 
   // In units of the score; not positive if nothing is gained, or too many points would not fit.
@@ -85,7 +85,7 @@ public:
     const double continuity = continuity_of(a.fitted, b.fitted, contact);
     const double lost =
       double(Score::unit) * double(of_a.misfits + of_b.misfits - of_a.misfits_before - of_b.misfits_before);
-    return saved(contact) + std::fma(continuity, size - lost, (continuity - 1) * (of_a.loss + of_b.loss));
+    return saved(contact) + std::fma(continuity, size - lost, -fit_counts(continuity) * (of_a.loss + of_b.loss));
   }
 
 private:
@@ -95,9 +95,16 @@ private:
   {
     const Vector at = contact.center();
     const double da = dot(a.local.normal, at) - a.local.offset, db = dot(b.local.normal, at) - b.local.offset;
-    const double step = dot(a.local.normal, b.local.normal) < 0 ? da + db : da - db;
+    const double cosine = dot(a.local.normal, b.local.normal), step = cosine < 0 ? da + db : da - db;
     const double w = std::fma(-step * step, per_square_ / (double(Score::unit) * b.scatter.squared_tolerance), 1.);
-    return (std::min)(double(contact.continuity()) / double(Contact::one), w > 0 ? w * w : 0.);
+    const double v = 1 - std::fma(-cosine, cosine, 1.) / squared_sine_;
+    return (std::min)(double(contact.continuity()) / double(Contact::one), w > 0 && v > 0 ? w * w * v : 0.);
+  }
+
+  CGAL_TANDEM_HD static double fit_counts(double continuity)
+  {
+    constexpr tuning::Ratio less = tuning::score::continuous;
+    return 1 - continuity * double(less.numerator) / double(less.denominator);
   }
 
   // By a union of two shapes.
@@ -156,7 +163,8 @@ private:
 
   Score score_;
   Tolerance tolerance_;
-  double per_square_; // units of the score for a squared grid step, at epsilon
+  double squared_sine_; // of alpha
+  double per_square_;   // units of the score for a squared grid step, at epsilon
 };
 
 // A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the

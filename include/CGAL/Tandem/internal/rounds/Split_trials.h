@@ -40,8 +40,8 @@ CGAL_TANDEM_HD inline std::int64_t split_gain(const Score& score, const Split_ac
 {
   const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
   const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
-  return (continuity * size + (Contact::one - continuity) * fit) / Contact::one + score.price() +
-         score.links(std::int64_t(a.contact.links));
+  return (continuity * size + (Contact::one - tuning::score::continuous.of(continuity)) * fit) / Contact::one +
+         score.price() + score.links(std::int64_t(a.contact.links));
 }
 
 // The sampled points of a shape.

@@ -168,19 +168,30 @@ inline Score_terms score_terms(const Score& score, const Score_counts& counts, c
   return terms;
 }
 
-// How continuous the surface of two planes is at a point: 1 where they meet, 0 where the step between them is epsilon or
-// more. It is the product of the weights that the ends of a link have on the planes of each other.
+// 1 for parallel planes, 0 where they turn by alpha or more: 1 - sin^2(angle) / sin^2(alpha).
+CGAL_TANDEM_HD inline std::int64_t alignment(std::int64_t normal_product, const Tolerance& t)
+{
+  constexpr std::int64_t one = std::int64_t(1) << 28;
+  const std::int64_t size = (normal_product < 0 ? -normal_product : normal_product) >> 28;
+  const std::int64_t cosine = size < one ? size : one;
+  const std::int64_t square = (one * one - cosine * cosine) >> 24, most = (std::int64_t(1) << 32) - t.squared_cosine;
+  return square < most ? Score::unit - Score::unit * square / most : 0;
+}
+
+// How continuous the surface of two planes is at a point: 1 where they meet and do not turn, 0 where the step between
+// them is epsilon, or the angle alpha, or more. For the step it is the product of the weights that the ends of a link
+// have on the planes of each other.
 CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b, const Grid_point& p,
                                                  const Tolerance& t)
 {
-  const std::int64_t sign = normal_product(a, {b.nx, b.ny, b.nz}) < 0 ? -1 : 1;
+  const std::int64_t product = normal_product(a, {b.nx, b.ny, b.nz}), sign = product < 0 ? -1 : 1;
   const std::int64_t w = Score::weight({1, t.distance}, signed_distance(a, p) - sign * signed_distance(b, p));
-  return w * w / Score::unit;
+  return w * w / Score::unit * alignment(product, t) / Score::unit;
 }
 
 // The contact of two shapes, or of two parts of one: its links, and sums over these of the continuity and of the positions.
-// Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, the fit as
-// far as it is not. So a slight bend is no reason to cut a face, and size is no reason to join layers.
+// Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, and the
+// fit less, the more it is. So a slight bend is no reason to cut a face, and size is no reason to join layers.
 struct Contact {
   static constexpr std::int64_t one = 256;
 
