@@ -58,7 +58,7 @@ struct Case {
 const Case cases[] = {{1, 12, 0, 0, 0xf3728bf5501e9c1e},
                       {2, 12, .002, 0, 0xa8227691137d66d0},
                       {3, 20, .01, 0, 0x9a29e2911a7d1e60},
-                      {4, 6, .02, 0, 0xf06a63ff586be0d5},
+                      {4, 6, .02, 0, 0xd31ee8c6150fb6a0},
                       {5, 4, .002, 20000, 0x5369665ee02fb584}};
 
 template <class Tag>

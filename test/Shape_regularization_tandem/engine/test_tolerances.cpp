@@ -130,14 +130,16 @@ BOOST_AUTO_TEST_CASE(test_bounds)
   }
 }
 
-// The planes of the scene, and no others: each label has one plane, and each plane one label.
+// The planes of the scene, and no others: each label has one plane, and each plane one label. Where walls are as noisy as
+// they are wide, normals that are estimated at an edge are those of the other one.
 BOOST_AUTO_TEST_CASE(test_depth_camera)
 {
   Parameters parameters;
   parameters.minimum_region_size = 60;
-  for(const std::uint64_t seed : {1, 2}) {
+  std::size_t of_walls = 0, assigned = 0; // with own normals
+  for(const std::uint64_t seed : {1, 2, 3, 4}) {
     scenes::Random random(seed);
-    const Corridor corridor(200, 120, 4.2 + .4 * double(seed), random);
+    const Corridor corridor(200, 120, 4.2 + .4 * double(2 - seed % 2), random);
     Leveled_cloud c = {corridor.cloud, {}};
     for(const auto& item : c.cloud)
       c.tolerance.push_back(CGAL::Tandem::distance_of_noise(.0028) * (item.first - CGAL::ORIGIN).squared_length());
@@ -150,8 +152,9 @@ BOOST_AUTO_TEST_CASE(test_depth_camera)
         for(const std::size_t i : shapes.points(s))
           ++count[corridor.label[i]];
         const std::size_t wall = std::size_t(std::max_element(count, count + 5) - count);
-        // Where walls are as noisy as they are wide, normals that are estimated at an edge are those of the other one.
-        CHECK_AT(double(count[wall]) > (given == Given::normals ? .97 : .75) * double(shapes.size(s)),
+        of_walls += given == Given::normals ? 0 : count[wall];
+        assigned += given == Given::normals ? 0 : shapes.size(s);
+        CHECK_AT(double(count[wall]) > (given == Given::normals ? .97 : .6) * double(shapes.size(s)),
                  name + ": a shape of two walls: " + std::to_string(s));
         wall_of_plane[shapes.coplanar_group(s)] = wall;
       }
@@ -159,6 +162,7 @@ BOOST_AUTO_TEST_CASE(test_depth_camera)
       CHECK_AT(shapes.statistics().coverage > .95, name);
     }
   }
+  CHECK_AT(double(of_walls) > .955 * double(assigned), std::to_string(of_walls) + " of " + std::to_string(assigned));
 }
 
 // Each tenth point has none, or one that no distance is within; or all have.

@@ -92,7 +92,7 @@ std::vector<double> slow_score(const Fixture& f, std::int64_t minimum_size)
     const std::uint32_t s = f.label[i];
     f.for_each_neighbor(i, [&](std::uint32_t q) {
       const bool is_free = s >= first_mark, leads_to_free = f.label[q] >= first_mark;
-      links -= is_free && leads_to_free ? 0 : is_free || leads_to_free ? 2.25 : s != f.label[q] ? .5 : 0;
+      links -= is_free && leads_to_free ? 0 : is_free || leads_to_free ? 1.5 : s != f.label[q] ? .5 : 0;
     });
     if(s >= first_mark)
       continue;
