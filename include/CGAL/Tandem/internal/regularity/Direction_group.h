@@ -192,10 +192,11 @@ struct Stiffness {
     const double volume = dot(normal, cross(p, q));
     return ratio(softness(q), volume * volume);
   }
+  // An fma, so that no compiler contracts the product with a sum that it enters.
   double cost(const Vector& p) const
   {
     const double d = dot(normal, p);
-    return d * d * (*this)(p);
+    return std::fma(d * d, (*this)(p), 0.);
   }
 
 private:

@@ -53,8 +53,11 @@ struct Regularity_parameters {
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
   // What a degree of freedom is worth, by the points of the largest shape that has it: a sum of squared distances
-  // (steps^2) that it may cost.
-  double price(double points) const { return maximum_distance_steps * maximum_distance_steps * freedom.of(points); }
+  // (steps^2) that it may cost. An fma, so that no compiler contracts the product with a sum that it enters.
+  double price(double points) const
+  {
+    return std::fma(maximum_distance_steps * maximum_distance_steps, freedom.of(points), 0.);
+  }
 
   // That of the two degrees of freedom of a direction.
   double direction_price(double points) const { return 2 * price(points); }

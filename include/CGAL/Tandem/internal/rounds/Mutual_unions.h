@@ -58,7 +58,8 @@ public:
   {
     const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
     const std::int64_t na = a.moments.count, nb = b.moments.count;
-    const double continuity = continuity_of(a, b, contact), most = saved(contact) + continuity * bonus(na, nb, na, nb);
+    const double continuity = continuity_of(a, b, contact);
+    const double most = std::fma(continuity, bonus(na, nb, na, nb), saved(contact));
     if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
       return true;
     const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));

@@ -129,16 +129,17 @@ private:
   {
     const Vector from_center = Vector{double(p.x), double(p.y), double(p.z)} - s.scatter.centroid;
     const double along = dot(from_center, axes.vector[2]), across = dot(from_center, axes.vector[1]);
-    const double square = along * along * axes.value[1] - across * across * axes.value[2]; // of a product of diagonals
+    // Both have widths of one standard deviation. No difference, which a compiler might contract.
+    const double wide = along * along * axes.value[1], high = across * across * axes.value[2];
     switch(start) {
     case 0:
       return along > 0;
     case 1:
       return across > 0;
-    case 2: // both have widths of one standard deviation
-      return along > 0 ? across > 0 || square > 0 : across > 0 && square < 0;
+    case 2:
+      return along > 0 ? across > 0 || wide > high : across > 0 && wide < high;
     case 3:
-      return along > 0 ? across < 0 || square > 0 : across < 0 && square < 0;
+      return along > 0 ? across < 0 || wide > high : across < 0 && wide < high;
     case 4:
       return dot(from_center, axes.vector[0]) > 0;
     default:
