@@ -201,8 +201,8 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
 }
 
 // One round. The order matters: small fragments go first, so that they need no links. Shapes unite before relations are
-// found, so that the unions have relations. Labels follow at once for unions, and in apply_planes() for shapes that have
-// become coplanar.
+// found, so that the unions have relations. Labels follow at once for unions, and in apply_planes() for shapes that
+// have become coplanar.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {

@@ -116,8 +116,8 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
 
 // --- The components themselves.
 
-// The entries of a union-find in the scratch of one cell, which only the lanes of its block change. Indices are relative
-// to the cell.
+// The entries of a union-find in the scratch of one cell, which only the lanes of its block change. Indices are
+// relative to the cell.
 template <class Block>
 struct Cell_parents {
   Block& block;

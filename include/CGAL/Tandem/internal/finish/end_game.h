@@ -27,8 +27,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Connected components become shapes: the largest one of a shape keeps its id. Changes labels and the table of shapes.
-// See the manual, "Components".
+// --- Connected components become shapes: the largest one of a shape keeps its id. Changes labels and the table of
+// shapes. See the manual, "Components".
 
 // A surfel gets the id of its component. Surfels of small components become free.
 struct Choose_component {
@@ -112,8 +112,8 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
-// --- With CGAL_TANDEM_CHECK_SCORE, debug builds compute the score anew after each stage of the moves. See the manual, "The
-// Score".
+// --- With CGAL_TANDEM_CHECK_SCORE, debug builds compute the score anew after each stage of the moves. See the manual,
+// "The Score".
 
 #ifdef CGAL_TANDEM_CHECK_SCORE
 #define CGAL_TANDEM_EXPENSIVE_ASSERT(condition) assert(condition)
@@ -150,10 +150,10 @@ public:
     return true;
   }
 
-  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free points,
-  // and a third of a point for each that changes its label. That is what a union of a bend loses where distances up to
-  // the tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed, lose less. Then
-  // notes it again.
+  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free
+  // points, and a third of a point for each that changes its label. That is what a union of a bend loses where
+  // distances up to the tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed,
+  // lose less. Then notes it again.
   bool rises()
   {
     const auto own = points_.backend.template sum<1>(
@@ -184,7 +184,8 @@ bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const S
   return merge_by_gain(points, shapes, options, links);
 }
 
-// Shapes split, surfels go where they are worth most, shapes unite, and clutter becomes free, in turn, where that gains.
+// Shapes split, surfels go where they are worth most, shapes unite, and clutter becomes free, in turn, where that
+// gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which shapes are clutter: planes through a volume of points, such as a tree, which most points around are not near.
-// The price of links cannot remove them, since their points have links to each other. Changes labels, states and shapes.
-// See the manual, "Clutter".
+// The price of links cannot remove them, since their points have links to each other. Changes labels, states and
+// shapes. See the manual, "Clutter".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_FREE_CLUTTER_H
 #define CGAL_TANDEM_INTERNAL_FINISH_FREE_CLUTTER_H

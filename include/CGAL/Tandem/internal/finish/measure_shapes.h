@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Statistics of shapes: the mean distance of points, the terms of the score that depend on points, and how many normals
-// are opposite to their planes. Computed on the grid by integer sums, so they are the same for every order of the points.
-// Changes nothing else.
+// are opposite to their planes. Computed on the grid by integer sums, so they are the same for every order of the
+// points. Changes nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H

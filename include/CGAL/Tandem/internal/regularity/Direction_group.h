@@ -148,8 +148,8 @@ struct Direction_group {
   }
 };
 
-// Given directions in their order, then groups by falling number of points; ties are broken by the first member, which is
-// in no other group.
+// Given directions in their order, then groups by falling number of points; ties are broken by the first member, which
+// is in no other group.
 inline bool is_heavier(const std::vector<Direction_group>& groups, int a, int b)
 {
   if(groups[a].is_given || groups[b].is_given)

@@ -20,9 +20,9 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Great circles and cells on the sphere of directions; opposite directions are the same. Directions are projected from
-// the origin onto three faces of a cube, where a great circle is a straight line. Bounds are on the safe side of all
-// rounding.
+// --- Great circles and cells on the sphere of directions; opposite directions are the same. Directions are projected
+// from the origin onto three faces of a cube, where a great circle is a straight line. Bounds are on the safe side of
+// all rounding.
 
 // A square on a face of the cube [-1, 1]^3, the one where coordinate `face` is 1. u and v are the next coordinates, in
 // turn.

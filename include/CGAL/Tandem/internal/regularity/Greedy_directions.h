@@ -335,8 +335,8 @@ private:
       g.direction = g.fitted;
   }
 
-  // The bits of the first direction that equals this one up to rounding, if that has the right angles of the group. Groups
-  // of equal bits are parallel in the result.
+  // The bits of the first direction that equals this one up to rounding, if that has the right angles of the group.
+  // Groups of equal bits are parallel in the result.
   void take_same_bits(Direction_group& g, const std::vector<int>& order) const
   {
     constexpr double reach = tuning::relations::same_direction;

@@ -24,8 +24,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that this
-// saves is worth more than the loss of their points. Directions stay. See the manual, "Relations by Price".
+// --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that
+// this saves is worth more than the loss of their points. Directions stay. See the manual, "Relations by Price".
 
 class Coplanar_groups {
 public:
@@ -84,7 +84,8 @@ private:
            s.weight() * (distance * distance) <= parameters_.price(s.count);
   }
 
-  // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth nothing.
+  // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth
+  // nothing.
   double gain(const Group& a, const Group& b) const
   {
     const double d = b.offset - a.offset;

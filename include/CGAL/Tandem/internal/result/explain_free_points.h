@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Why points have no shape. It is read off the result: neighbor graph, shapes and planes, not the way that led there. So
-// the check of a result counts the same. Sums of integers over the points, in any order. See the manual, "Free Points".
+// Why points have no shape. It is read off the result: neighbor graph, shapes and planes, not the way that led there.
+// So the check of a result counts the same. Sums of integers over the points, in any order. See the manual, "Free
+// Points".
 
 #ifndef CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H
 #define CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H

@@ -24,8 +24,8 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads no
-// other point. By a group of lanes, which share the points of a sample. See the manual, "Unions".
+// --- What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads
+// no other point. By a group of lanes, which share the points of a sample. See the manual, "Unions".
 
 // How much the sum of squared distances of a shape grows if this plane replaces its local one.
 CGAL_TANDEM_HD inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
@@ -90,8 +90,8 @@ public:
   }
 
 private:
-  // That of the links, when they were counted; or that of both planes in the center of the contact, if it is less: a piece
-  // that straddles a step touches both sides without a step, but what it has joined does not.
+  // That of the links, when they were counted; or that of both planes in the center of the contact, if it is less: a
+  // piece that straddles a step touches both sides without a step, but what it has joined does not.
   CGAL_TANDEM_HD double continuity_of(const Fitted_moments& a, const Fitted_moments& b, const Contact& contact) const
   {
     const Vector at = contact.center();
@@ -205,10 +205,11 @@ struct Union_root {
 };
 
 // Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A much larger shape
-// takes all that choose it in one round, as its plane hardly turns. All unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
-// pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
-// Only minima, integer sums and values that are the same for all writers are shared, so no order matters. Tests and fits
-// take most of the time: a rank makes its own items, and gets the others from the other ranks, see run_unions().
+// takes all that choose it in one round, as its plane hardly turns. All unions of a round are independent, then they
+// are fitted and their pairs tested anew, until no two shapes join. The pair of the smallest key is chosen by both of
+// its shapes, so each round has a union as long as a pair is accepted. Only minima, integer sums and values that are
+// the same for all writers are shared, so no order matters. Tests and fits take most of the time: a rank makes its own
+// items, and gets the others from the other ranks, see run_unions().
 template <class Backend>
 struct Union_rounds {
   // One after the other: each needs all of the one before.

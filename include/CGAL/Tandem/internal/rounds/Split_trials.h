@@ -53,9 +53,9 @@ struct Point_sample {
   CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
-// A trial fits planes to two halves of a sample of the points; in half of the trials, points then go to the nearer plane, in
-// turn. That finds steps far from the middle, where noise is low; where it is high, it leads away from them. By a group of
-// lanes, which share the points of the sample.
+// A trial fits planes to two halves of a sample of the points; in half of the trials, points then go to the nearer
+// plane, in turn. That finds steps far from the middle, where noise is low; where it is high, it leads away from them.
+// By a group of lanes, which share the points of the sample.
 class Split_trials {
 public:
   static constexpr int starts = 8; // bits of a byte

@@ -185,7 +185,8 @@ private:
 
   CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::surfels] & bit_of(i)) != 0; }
 
-  // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by planes.
+  // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by
+  // planes.
   CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, const Changed_blocks& changed) const
   {
     if((changed.shapes & entries[i]) != 0 && is_at_border(i))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Touching shapes become one where that gains: see Union_gain. Without it slanted surfaces are cut into terraces.
-// Changes the table of shapes, labels, states and lists of cells, and the links. Also: which shapes become one because they
-// have the same plane.
+// Changes the table of shapes, labels, states and lists of cells, and the links. Also: which shapes become one because
+// they have the same plane.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
@@ -65,8 +65,8 @@ Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shap
   return target;
 }
 
-// --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
-// points. See the manual, "Unions", last paragraph.
+// --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes
+// and points. See the manual, "Unions", last paragraph.
 
 // Live shapes with a plane of the relations, as members of sets: see join_members().
 struct Shapes_with_plane {

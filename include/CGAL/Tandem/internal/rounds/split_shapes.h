@@ -3,8 +3,8 @@
 //
 // A shape whose points lie on two planes becomes two shapes where that gains: layers that one plane has swallowed,
 // surfaces that bend, faces that meet at a small angle. Pairs of planes are found in a sample of the points
-// (Split_trials), and judged by all points and the links that they would cut; then each surfel goes to the nearer one. Changes
-// labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
+// (Split_trials), and judged by all points and the links that they would cut; then each surfel goes to the nearer one.
+// Changes labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H

@@ -189,9 +189,10 @@ CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b,
   return w * w / Score::unit * alignment(product, t) / Score::unit;
 }
 
-// The contact of two shapes, or of two parts of one: its links, and sums over these of the continuity and of the positions.
-// Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is continuous, and the
-// fit less, the more it is. So a slight bend is no reason to cut a face, and size is no reason to join layers.
+// The contact of two shapes, or of two parts of one: its links, and sums over these of the continuity and of the
+// positions. Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is
+// continuous, and the fit less, the more it is. So a slight bend is no reason to cut a face, and size is no reason to
+// join layers.
 struct Contact {
   static constexpr std::int64_t one = 256;
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The blocks of CUDA, and the kernels of loops: they run the functors and bodies of the engine. Each functor or body makes a kernel of its own.
-// What it computes does not depend on the numbers of lanes and blocks.
+// The blocks of CUDA, and the kernels of loops: they run the functors and bodies of the engine. Each functor or body
+// makes a kernel of its own. What it computes does not depend on the numbers of lanes and blocks.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_KERNELS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_KERNELS_CUH
@@ -13,8 +13,9 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- The model of Block whose lanes are the threads of a CUDA block. With CUDA's atomic functions, not cuda::atomic_ref: that one takes generic addresses
-// where the memory is shared, and kernels with it spill more registers.
+// --- The model of Block whose lanes are the threads of a CUDA block. With CUDA's atomic functions, not
+// cuda::atomic_ref: that one takes generic addresses where the memory is shared, and kernels with it spill more
+// registers.
 
 // The address as those functions take it: of 64 bits, they know only one type.
 template <class T>
