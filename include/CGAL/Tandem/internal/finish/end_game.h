@@ -215,7 +215,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
-  while(unite(points, shapes, options)) {
+  while(unite(points, shapes, options)) { // ends, since unions leave fewer shapes, and an assignment makes none
     fit_planes(points, shapes);
     assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());

@@ -9,7 +9,6 @@
 #define CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H
 
 #include <CGAL/Tandem/Statistics.h>
-#include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a result is worth, in points: one measure for all decisions, and for all detectors.
+// What a result is worth, in points: one measure for all decisions, and for all detectors. Unions and splits weigh its
+// terms by how continuous the surface is: see Contact.
 //
 //   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane, epsilon: tolerance of
 //                                                                     the point; free points count 0
@@ -48,7 +49,7 @@ CGAL_TANDEM_HD inline std::int64_t fixed_log2(std::uint64_t n)
   return (std::int64_t(exponent) << log2_bits) + table[entry] + std::int64_t((between + (1u << 25)) >> 26);
 }
 
-// What a point of the cloud counts, now 1, and its tolerance. That is in 2^-28 grid steps, as signed distances.
+// What a point of the cloud counts, and its tolerance. That is in 2^-28 grid steps, as signed distances.
 struct Score_item {
   static constexpr std::uint64_t tolerance_units = std::uint64_t(1) << 15;
 
