@@ -70,7 +70,7 @@ struct Collect_links {
   std::uint8_t* state;
   const std::uint8_t* is_selected; // by shape
   Link_set<Backend> links;
-  const Plane* plane; // by shape
+  const Plane* plane; // by shape; null for one that started in the last pass of growth: its contacts have continuity 0
   Tolerance tolerance;
 
   template <class Block>
