@@ -61,11 +61,12 @@ private:
   CGAL_TANDEM_HD std::int64_t balance_of(std::uint32_t i, std::uint32_t s) const
   {
     const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
+    constexpr tuning::Ratio free_link = tuning::score::free_link;
     std::int64_t result = cloud.k * weight(i, s);
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], distance))
-        result -= tuning::score::free_link.of(free_weight(row[j]));
+        result -= free_link.of(free_weight(row[j]));
     return result;
   }
 

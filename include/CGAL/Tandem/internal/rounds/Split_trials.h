@@ -38,10 +38,11 @@ struct Split_account {
 CGAL_TANDEM_HD inline std::int64_t split_gain(const Score& score, const Split_account& a, std::int64_t fit,
                                               std::int64_t n)
 {
+  constexpr tuning::Ratio less = tuning::score::continuous;
   const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
   const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
-  return (continuity * size + (Contact::one - tuning::score::continuous.of(continuity)) * fit) / Contact::one +
-         score.price() + score.links(std::int64_t(a.contact.links));
+  return (continuity * size + (Contact::one - less.of(continuity)) * fit) / Contact::one + score.price() +
+         score.links(std::int64_t(a.contact.links));
 }
 
 // The sampled points of a shape.

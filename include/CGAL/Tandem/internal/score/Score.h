@@ -120,7 +120,8 @@ public:
   // Of so many links between two shapes, and between a shape and free points.
   CGAL_TANDEM_HD std::int64_t links(std::int64_t between_shapes, std::int64_t to_free = 0) const
   {
-    return -(between_shapes * link_ + tuning::score::free_link.of(to_free * unit)) / k_;
+    constexpr tuning::Ratio free_link = tuning::score::free_link;
+    return -(between_shapes * link_ + free_link.of(to_free * unit)) / k_;
   }
 
   // B(N) = mu N log2(N / m); no overflow for up to 2^37 points.
