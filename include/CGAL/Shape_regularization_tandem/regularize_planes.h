@@ -182,8 +182,8 @@ result, or that has a fixed direction, gets a unit normal, even if it had that r
 they are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither
 turned nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function
 of `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The
-result is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is linear
-in the number of points.
+result is independent of the order of the points. Relations are found as in a detection: \ref Tandem_method_directions.
+Time is linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
 \tparam PointRange a model of `ConstRange` with random access iterators
