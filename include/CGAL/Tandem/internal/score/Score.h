@@ -19,6 +19,7 @@
 #define CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
 
 #include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
