@@ -11,8 +11,9 @@
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
-#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 namespace CGAL::Tandem::internal {
 
@@ -125,12 +126,11 @@ struct Measured_score {
   std::int64_t free_links = 0;
 };
 
-// Computed anew.
+// Computed anew, by the moments of the shapes.
 template <class Backend>
 Measured_score measure_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                              const Stage_parameters& options)
 {
-  update_tables(points, shapes, tables::moments);
   auto opposed = filled_buffer(points.backend, shapes.size, std::uint64_t(0));
   const Score_counts counts =
     counts_of(measure_points(points, {{points.cloud.surfels(), points.label(), nullptr}, points.label()},
