@@ -79,7 +79,7 @@ private:
   {
     if(label[q] >= first_mark)
       return Score::unit;
-    return 6 * (Score::unit - weight(q, label[q])); // a layer of a volume that is sqrt(2) epsilon thick has 1/6
+    return tuning::score::own_distance * (Score::unit - weight(q, label[q]));
   }
 };
 
