@@ -40,7 +40,7 @@ struct Parameters {
   /// smallest number of points of a shape
   std::size_t minimum_region_size = 0;
   /// what the size of a shape is worth (mu of the score), in [0, 1]: from every layer and detail to few, large planes
-  double simplicity = .04;
+  double simplicity = .08;
   /// what a degree of freedom is worth, in minimum sizes, in [0, 10]: from planes that follow their points to many
   /// relations
   double regularity = .1;

@@ -130,7 +130,7 @@ Outcome outcome(const Stage& stage, bool is_spoilt)
   engine.iterate();
   engine.iterate();
   State& t = engine.state();
-  Link_buffer links = collect_links(t.points, t.shapes, t.options.growth.tolerance, Links::all, Phase::end);
+  Link_buffer links = collect_links(t.points, t.shapes, Links::all, Phase::end);
   update_tables(t.points, t.shapes, tables::fits);
   if(is_spoilt)
     spoil(t);
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(requests_of_rounds)
   check_stage("links of some shapes", [](State& t, Link_buffer& links) {
     for(std::size_t id = 0; id < t.shapes.size; ++id)
       t.shapes.table()[id].history.is_linked = id % 4 != 0;
-    links = collect_links(t.points, t.shapes, t.options.growth.tolerance, Links::changed, Phase::loop);
+    links = collect_links(t.points, t.shapes, Links::changed, Phase::loop);
   });
   check_stage("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
   check_stage("regularization", [](State& t, Link_buffer&) {

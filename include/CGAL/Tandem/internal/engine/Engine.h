@@ -219,7 +219,7 @@ bool Engine<Backend>::iterate()
   Stage_timer regularity(times_.regularity);
   // The surfels of fragments are free for other shapes, but are no seeds any more.
   drop_shapes(points, shapes, Is_fragment{options.minimum_fragment_size});
-  auto links = collect_links(points, shapes, options.growth.tolerance, Links::changed, Phase::loop);
+  auto links = collect_links(points, shapes, Links::changed, Phase::loop);
   relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
   apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));

@@ -150,10 +150,9 @@ public:
     return true;
   }
 
-  // Whether it has not fallen since, but for what the moves count less or not: the bonus of sizes, links to free
-  // points, and a third of a point for each that changes its label. That is what a union of a bend loses where
-  // distances up to the tolerance are uniform; misfits that a sample misses, and borders of splits that are smoothed,
-  // lose less. Then notes it again.
+  // Whether it has not fallen since, but for what the moves count less or not, the bonus of sizes and links to free
+  // points; and for the error of samples, by which unions estimate how many points will not fit: a third of the points
+  // that change their label, and a minimum size. Then notes it again.
   bool rises()
   {
     const auto own = points_.backend.template sum<1>(
@@ -163,7 +162,8 @@ public:
     begin();
     const auto fall = [](std::int64_t of, std::int64_t to) { return (std::max)(of - to, std::int64_t(0)); };
     return score_.terms.total() + fall(before.terms.size, score_.terms.size) +
-             fall(before.free_links, score_.free_links) + relabeled * Score::unit / 3 >=
+             fall(before.free_links, score_.free_links) +
+             Score::unit * (relabeled / 3 + std::int64_t(options_.minimum_region_size)) >=
            before.terms.total();
   }
 
@@ -180,12 +180,12 @@ template <class Backend>
 bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   fit_planes(points, shapes);
-  auto links = collect_links(points, shapes, options.growth.tolerance, Links::all, Phase::end);
+  auto links = collect_links(points, shapes, Links::all, Phase::end);
   return merge_by_gain(points, shapes, options, links);
 }
 
-// Shapes split, surfels go where they are worth most, shapes unite, and clutter becomes free, in turn, where that
-// gains.
+// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains. Then components
+// become shapes, clutter becomes free, and shapes unite as long as that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
@@ -203,19 +203,15 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     }
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
     unite(points, shapes, options);
-    fit_planes(points, shapes);
-    free_clutter(points, shapes, options.growth.tolerance);
-    assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   }
   fit_planes(points, shapes);
   separate_components(points, shapes, options);
-  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // what components below the minimum size were worth is lost
   fit_planes(points, shapes);
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
-  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
-  while(unite(points, shapes, options)) { // ends, since unions leave fewer shapes, and an assignment makes none
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
+  while(unite(points, shapes, options)) {      // ends, since unions leave fewer shapes, and an assignment makes none
     fit_planes(points, shapes);
     assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
@@ -230,7 +226,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
 {
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
-  const auto links = collect_links(points, shapes, options.growth.tolerance, Links::all, Phase::end);
+  const auto links = collect_links(points, shapes, Links::all, Phase::end);
   merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
   assign(shapes, options);

@@ -48,7 +48,7 @@ struct Sampled_shape {
 class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)
-    : score_(options.score), tolerance_(options.growth.tolerance), squared_sine_(1 - options.squared_cosine),
+    : score_(options.score), tolerance_(options.growth.tolerance),
       per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {}
 
@@ -58,14 +58,13 @@ public:
   {
     const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
     const std::int64_t na = a.moments.count, nb = b.moments.count;
-    const double continuity = continuity_of(a, b, contact);
-    const double most = std::fma(continuity, bonus(na, nb, na, nb), saved(contact));
+    const double most = std::fma(continuity_of(a, b, contact), bonus(na, nb, na, nb), saved(contact));
     if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
       return true;
     const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
     const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
-    return !has_eigenvalues_above(joint, std::fma(tuning::exactness::bound_factor,
-                                                  squares + most / (per_square_ * fit_counts(continuity)), rounding));
+    return !has_eigenvalues_above(joint,
+                                  std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
   }
 
   // In units of the score; not positive if nothing is gained, or too many points would not fit.
@@ -83,29 +82,15 @@ public:
       return 0;
     const double size = bonus(a.size() - of_a.misfits, b.size() - of_b.misfits, a.size() - of_a.misfits_before,
                               b.size() - of_b.misfits_before);
-    const double continuity = continuity_of(a.fitted, b.fitted, contact);
-    const double lost =
-      double(Score::unit) * double(of_a.misfits + of_b.misfits - of_a.misfits_before - of_b.misfits_before);
-    return saved(contact) + std::fma(continuity, size - lost, -fit_counts(continuity) * (of_a.loss + of_b.loss));
+    return saved(contact) + std::fma(continuity_of(a.fitted, b.fitted, contact), size, -(of_a.loss + of_b.loss));
   }
 
 private:
-  // That of the links, when they were counted; or that of both planes in the center of the contact, if it is less: a
-  // piece that straddles a step touches both sides without a step, but what it has joined does not.
+  // At the contact, by the tolerance of the points of the smaller shape.
   CGAL_TANDEM_HD double continuity_of(const Fitted_moments& a, const Fitted_moments& b, const Contact& contact) const
   {
-    const Vector at = contact.center();
-    const double da = dot(a.local.normal, at) - a.local.offset, db = dot(b.local.normal, at) - b.local.offset;
-    const double cosine = dot(a.local.normal, b.local.normal), step = cosine < 0 ? da + db : da - db;
-    const double w = std::fma(-step * step, per_square_ / (double(Score::unit) * b.scatter.squared_tolerance), 1.);
-    const double v = 1 - std::fma(-cosine, cosine, 1.) / squared_sine_;
-    return (std::min)(double(contact.continuity()) / double(Contact::one), w > 0 && v > 0 ? w * w * v : 0.);
-  }
-
-  CGAL_TANDEM_HD static double fit_counts(double continuity)
-  {
-    constexpr tuning::Ratio less = tuning::score::continuous;
-    return 1 - continuity * double(less.numerator) / double(less.denominator);
+    return double(continuity_at(rounded(a.local), rounded(b.local), contact.center(), mean_tolerance(b, tolerance_))) /
+           double(Score::unit);
   }
 
   // By a union of two shapes.
@@ -164,8 +149,7 @@ private:
 
   Score score_;
   Tolerance tolerance_;
-  double squared_sine_; // of alpha
-  double per_square_;   // units of the score for a squared grid step, at epsilon
+  double per_square_; // units of the score for a squared grid step, at epsilon
 };
 
 // A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the

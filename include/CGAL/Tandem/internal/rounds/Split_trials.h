@@ -14,18 +14,35 @@
 
 namespace CGAL::Tandem::internal {
 
-// Whether the point is nearer to the first plane.
-CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_point& p)
-{
-  const std::int64_t da = signed_distance(a, p), db = signed_distance(b, p);
-  return (da < 0 ? -da : da) < (db < 0 ? -db : db);
-}
-
 // The planes of both parts; the same one twice where none have been found.
 struct Split {
   Plane first, second;
 
-  CGAL_TANDEM_HD bool has_in_second(const Grid_point& p) const { return is_nearer(second, first, p); }
+  CGAL_TANDEM_HD bool is_any() const
+  {
+    return first.nx != second.nx || first.ny != second.ny || first.nz != second.nz || first.d != second.d;
+  }
+};
+
+// The nearer plane of a split, the first one of equally near ones.
+struct Nearer_plane {
+  bool is_second;
+  std::int64_t distance;
+
+  CGAL_TANDEM_HD Nearer_plane(const Split& split, const Grid_point& p)
+  {
+    const std::int64_t a = signed_distance(split.first, p), b = signed_distance(split.second, p);
+    const std::int64_t of_first = a < 0 ? -a : a, of_second = b < 0 ? -b : b;
+    is_second = of_second < of_first;
+    distance = is_second ? of_second : of_first;
+  }
+
+  // What a point is worth there at most: also if its normal does not fit.
+  CGAL_TANDEM_HD std::int64_t most(std::int64_t tolerance) const
+  {
+    const double d = double(distance) / double(tolerance), square = d * d;
+    return Score::unit - std::int64_t(double(Score::unit) * (square < 1 ? square : 1));
+  }
 };
 
 // What a split changes, beside the fit: the points of the second part, and the contact of both parts.
@@ -33,17 +50,6 @@ struct Split_account {
   std::uint64_t second = 0;
   Contact contact;
 };
-
-// What a split of n points gains; fit: by the weights of the points. It grows with the fit.
-CGAL_TANDEM_HD inline std::int64_t split_gain(const Score& score, const Split_account& a, std::int64_t fit,
-                                              std::int64_t n)
-{
-  constexpr tuning::Ratio less = tuning::score::continuous;
-  const std::int64_t second = std::int64_t(a.second), continuity = a.contact.continuity();
-  const std::int64_t size = score.size_bonus(n - second) + score.size_bonus(second) - score.size_bonus(n);
-  return (continuity * size + (Contact::one - less.of(continuity)) * fit) / Contact::one + score.price() +
-         score.links(std::int64_t(a.contact.links));
-}
 
 // The sampled points of a shape.
 struct Point_sample {
@@ -64,7 +70,7 @@ public:
   static constexpr std::int64_t sample_size = tuning::moves::split_sample;
 
   explicit Split_trials(const Stage_parameters& options)
-    : score_(options.score),
+    : score_(options.score), tolerance_(options.growth.tolerance),
       per_square_(double(Score::unit) / (options.maximum_distance_steps * options.maximum_distance_steps))
   {}
 
@@ -72,6 +78,15 @@ public:
   CGAL_TANDEM_HD bool may_split(const Shape& s) const
   {
     return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
+  }
+
+  // What a split gains; fit: by the weights of the points. It grows with the fit.
+  CGAL_TANDEM_HD std::int64_t gain(const Shape& s, const Split& split, const Split_account& a, std::int64_t fit) const
+  {
+    const std::int64_t continuity =
+      a.contact.links > 0 ? continuity_at(split.first, split.second, a.contact.center(), mean_tolerance(s, tolerance_))
+                          : 0;
+    return gain(s.moments.count, std::int64_t(a.second), fit, continuity) + score_.links(std::int64_t(a.contact.links));
   }
 
   CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
@@ -86,9 +101,9 @@ public:
       if(halves.first.count < 3 || halves.second.count < 3)
         return {whole, whole};
       split = {plane_of(halves.first), plane_of(halves.second)};
-      halves = Halves(sample, all, [&](const Grid_point& p) { return split.has_in_second(p); });
+      halves = Halves(sample, all, [&](const Grid_point& p) { return Nearer_plane(split, p).is_second; });
     }
-    return split;
+    return may_gain(s, sample, whole, split) ? split : Split{whole, whole};
   }
 
 private:
@@ -100,6 +115,45 @@ private:
     for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size())
       f(i, sum);
     return Lane_group::sum(sum);
+  }
+
+  // But for links.
+  CGAL_TANDEM_HD std::int64_t gain(std::int64_t n, std::int64_t second, std::int64_t fit, std::int64_t continuity) const
+  {
+    const std::int64_t size = score_.size_bonus(n - second) + score_.size_bonus(second) - score_.size_bonus(n);
+    constexpr std::int64_t one = 256; // no overflow of products with sizes
+    return continuity / (Score::unit / one) * size / one + fit + score_.price();
+  }
+
+  // Sums over a sample.
+  struct Sample_sums {
+    std::int64_t second = 0, fit = 0, continuity = 0;
+
+    CGAL_TANDEM_HD void operator+=(const Sample_sums& s)
+    {
+      second += s.second;
+      fit += s.fit;
+      continuity += s.continuity;
+    }
+  };
+
+  // Whether it gains by the sample if it cuts no links, and if the surface is as continuous at the contact as elsewhere.
+  // So noise is rarely tried by all points.
+  CGAL_TANDEM_HD bool may_gain(const Shape& s, const Point_sample& sample, const Plane& whole, const Split& split) const
+  {
+    const Sample_sums sums = sum_of<Sample_sums>(sample, [&](std::uint32_t i, Sample_sums& sum) {
+      const Grid_point& p = sample[i];
+      const Tolerance own = tolerance_.at(sample.level(i));
+      const Nearer_plane nearer(split, p);
+      sum.second += nearer.is_second;
+      sum.fit += nearer.most(own.distance) -
+                 (fits(whole, p, own) ? Score::weight({1, own.distance}, signed_distance(whole, p)) : 0);
+      sum.continuity += continuity_at(split.first, split.second, p, own);
+    });
+    const std::int64_t n = s.moments.count;
+    const double points = double(n) / double(sample.size); // of the shape for one of the sample
+    return gain(n, std::int64_t(points * double(sums.second)), std::int64_t(points * double(sums.fit)),
+                sums.continuity / sample.size) > 0;
   }
 
   // The moments of those points of a sample that are in the second half, and of the others.
@@ -149,6 +203,7 @@ private:
   }
 
   Score score_;
+  Tolerance tolerance_;
   double per_square_; // units of the score for a squared grid step
 };
 

@@ -225,7 +225,7 @@ private:
     const Tolerance fit = cloud.tolerance_of(i, tolerance);
     std::int64_t most = 0;
     if(own < first_mark)
-      most = worth(own, {1, fit.distance}, signed_distance(shape[own].plane, point), links);
+      most = worth({1, fit.distance}, signed_distance(shape[own].plane, point), links);
     while(n > 0) {
       const std::uint32_t t = other[n - 1];
       const int count = n;
@@ -240,7 +240,7 @@ private:
       const std::int64_t distance = signed_distance(shape[t].plane, point);
       if(distance > fit.distance || -distance > fit.distance)
         continue;
-      const std::int64_t w = worth(t, {1, fit.distance}, distance, count - n);
+      const std::int64_t w = worth({1, fit.distance}, distance, count - n) + more_bonus(own, t, point, fit);
       if((best >= first_mark || w > most || (w == most && t < best)) &&
          is_aligned(shape[t].plane, point, fit.squared_cosine)) {
         most = w;
@@ -255,11 +255,20 @@ private:
     return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
   }
 
-  // Of a surfel in shape s, at a distance of its plane and with so many links to it.
-  CGAL_TANDEM_HD std::int64_t worth(std::uint32_t s, const Score_item& item, std::int64_t distance,
-                                    std::int64_t links) const
+  // Of a surfel at a distance of the plane of a shape, with so many links to it.
+  CGAL_TANDEM_HD std::int64_t worth(const Score_item& item, std::int64_t distance, std::int64_t links) const
   {
-    return Score::weight(item, distance) - score.links(links) + shape[s].bonus;
+    return Score::weight(item, distance) - score.links(links);
+  }
+
+  // What one more point is worth to shape t, more than to shape s, as far as their surface is continuous there.
+  CGAL_TANDEM_HD std::int64_t more_bonus(std::uint32_t s, std::uint32_t t, const Grid_point& p,
+                                         const Tolerance& fit) const
+  {
+    if(s >= first_mark)
+      return shape[t].bonus;
+    const std::int64_t more = shape[t].bonus - shape[s].bonus;
+    return more * continuity_at(shape[s].plane, shape[t].plane, p, fit) / Score::unit;
   }
 };
 

@@ -124,11 +124,39 @@ struct Candidates_view {
   }
 };
 
-// In which parts of its shape a surfel is: a bit for each trial. Bounds the fit that a trial may gain: no surfel is
-// worth more than on the nearer plane.
+// Trials are left that may gain by what is known of them, and candidates with such trials.
+struct Leave_trials {
+  Split_trials trials;
+  const Shape* shape;
+  const std::uint32_t* id; // of the candidates
+  const Split* split;      // these three by trial
+  const Split_account* account;
+  const std::int64_t* most; // bounds of the fit; null: not known
+  std::uint8_t* left;       // by candidate, a bit for each trial
+  std::uint32_t* candidate_of;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    unsigned result = 0;
+    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
+      const std::size_t trial = i * Split_trials::starts + t;
+      const bool is_left = most == nullptr ? split[trial].is_any()
+                                           : (left[i] >> t & 1u) != 0 &&
+                                               trials.gain(shape[id[i]], split[trial], account[trial], most[trial]) > 0;
+      result |= unsigned(is_left) << t;
+    }
+    left[i] = std::uint8_t(result);
+    if(result == 0)
+      candidate_of[id[i]] = no_index;
+  }
+};
+
+// In which parts of its shape a surfel is: a bit for each trial that is left. Bounds the fit that a trial may gain: no
+// surfel is worth more than on the nearer plane.
 template <class Backend>
 struct Choose_parts {
   Candidates_view view;
+  const std::uint8_t* left; // by candidate
   std::uint8_t* parts;
   std::int64_t* most; // by trial
 
@@ -143,44 +171,17 @@ struct Choose_parts {
 private:
   CGAL_TANDEM_HD void choose(std::uint32_t i, Trials_run<std::int64_t>& run) const
   {
-    const Grid_point& p = view.cloud.point[i];
-    const double distance = double(view.cloud.tolerance_of(i, view.tolerance).distance);
-    const double per_square = double(Score::unit) / (distance * distance);
+    const std::int64_t tolerance = view.cloud.tolerance_of(i, view.tolerance).distance;
     const std::int64_t points = view.cloud.surfels.points(i).size();
-    const std::int64_t missing = Score::unit - view.weight(view.plane[view.label[i]], i);
+    const std::int64_t before = view.weight(view.plane[view.label[i]], i);
     unsigned result = 0;
-    for(unsigned t = 0; t < Split_trials::starts; ++t) {
-      const Split& split = view.split[run.candidate * Split_trials::starts + t];
-      const std::int64_t a = signed_distance(split.first, p), b = signed_distance(split.second, p);
-      const std::int64_t da = a < 0 ? -a : a, db = b < 0 ? -b : b;
-      result |= unsigned(db < da) << t;
-      const double d = double(db < da ? db : da), square = d * d * per_square;
-      run.sum[t] += points * (missing - std::int64_t(square < double(Score::unit) ? square : double(Score::unit)));
-    }
+    for(unsigned t = 0; t < Split_trials::starts; ++t)
+      if((left[run.candidate] >> t & 1u) != 0) {
+        const Nearer_plane nearer(view.split[run.candidate * Split_trials::starts + t], view.cloud.point[i]);
+        result |= unsigned(nearer.is_second) << t;
+        run.sum[t] += points * (nearer.most(tolerance) - before);
+      }
     parts[i] = std::uint8_t(result);
-  }
-};
-
-// Trials are left that gain by what is known of them, and candidates with such trials.
-struct Leave_trials {
-  const Shape* shape;
-  const std::uint32_t* id;      // of the candidates
-  const Split_account* account; // these two by trial
-  const std::int64_t* most;     // bounds of the fit
-  Score score;
-  std::uint8_t* left; // by candidate, a bit for each trial
-  std::uint32_t* candidate_of;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    unsigned result = 0;
-    for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
-      const std::size_t trial = i * Split_trials::starts + t;
-      result |= unsigned(split_gain(score, account[trial], most[trial], shape[id[i]].moments.count) > 0) << t;
-    }
-    left[i] = std::uint8_t(result);
-    if(result == 0)
-      candidate_of[id[i]] = no_index;
   }
 };
 
@@ -253,13 +254,8 @@ private:
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
       run.sum[t].second += points * (parts[i] >> t & 1u);
       const std::uint64_t links = cut >> 8 * t & 255u;
-      if(links == 0 || (left[run.candidate] >> t & 1u) == 0)
-        continue;
-      const Split& split = view.split[run.candidate * Split_trials::starts + t];
-      run.sum[t].contact.add(
-        links * cloud.surfels.edge_weight(i),
-        continuity_at(split.first, split.second, cloud.point[i], cloud.tolerance_of(i, view.tolerance)),
-        cloud.point[i]);
+      if(links > 0 && (left[run.candidate] >> t & 1u) != 0)
+        run.sum[t].contact.add(links * cloud.surfels.edge_weight(i), cloud.point[i]);
     }
   }
 };
@@ -295,28 +291,28 @@ private:
 
 // The first of the best trials of each candidate, with the plane of the larger part first, and what it gains.
 struct Choose_split {
+  Split_trials trials;
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
   const Split* trial;      // these three by trial
   const Split_account* account;
   const std::int64_t* fit;
-  Score score;
   Split* split;       // by candidate
   std::int64_t* gain; // by candidate
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::int64_t n = shape[id[i]].moments.count;
+    const Shape& s = shape[id[i]];
     std::size_t best = 0;
     for(std::size_t t = i * Split_trials::starts; t < (i + 1) * Split_trials::starts; ++t) {
-      const std::int64_t g = split_gain(score, account[t], fit[t], n);
+      const std::int64_t g = trials.gain(s, trial[t], account[t], fit[t]);
       if(t % Split_trials::starts == 0 || g > gain[i]) {
         best = t;
         gain[i] = g;
       }
     }
     split[i] = trial[best];
-    if(2 * std::int64_t(account[best].second) > n)
+    if(2 * std::int64_t(account[best].second) > s.moments.count)
       split[i] = {trial[best].second, trial[best].first};
   }
 };
@@ -356,7 +352,7 @@ struct Choose_half {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t s = label[i], half = s < first_mark ? new_id[s] : no_index;
-    chosen[i] = half != no_index && is_nearer(plane[half], plane[s], point[i]) ? half : s;
+    chosen[i] = half != no_index && Nearer_plane({plane[s], plane[half]}, point[i]).is_second ? half : s;
   }
 };
 
@@ -400,14 +396,16 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   const std::size_t n = points.cloud.number_of_surfels();
   auto parts = filled_buffer(backend, points.cloud.size_with_ghosts(), std::uint8_t(0));
   auto most = filled_buffer(backend, trial.size(), std::int64_t(0));
-  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
-                                             Choose_parts<Backend>{view, parts.data(), most.data()});
-  points.ranks.sum(most.data(), most.size());
-  points.ranks.refresh(parts.data(), Rings::inner);
   auto account = filled_buffer(backend, trial.size(), Split_account());
   Buffer_of<Backend, std::uint8_t> left(id.size()), smooth(parts.size());
-  const Leave_trials leave = {shapes.fitted(), id.data(),   account.data(),     most.data(),
-                              options.score,   left.data(), candidate_of.data()};
+  Leave_trials leave = {trials,         shapes.fitted(), id.data(),   trial.data(),
+                        account.data(), nullptr,         left.data(), candidate_of.data()};
+  backend.for_each(id.size(), leave);
+  leave.most = most.data();
+  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
+                                             Choose_parts<Backend>{view, left.data(), parts.data(), most.data()});
+  points.ranks.sum(most.data(), most.size());
+  points.ranks.refresh(parts.data(), Rings::inner);
   backend.for_each(id.size(), leave);
   backend.for_each(n, Smooth_parts{view, parts.data(), smooth.data()});
   points.ranks.refresh(smooth.data(), Rings::inner);
@@ -421,8 +419,8 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   points.ranks.sum(fit.data(), fit.size());
   found.split.reset(id.size());
   Buffer_of<Backend, std::int64_t> gain(id.size());
-  backend.for_each(id.size(), Choose_split{shapes.fitted(), id.data(), trial.data(), account.data(), fit.data(),
-                                           options.score, found.split.data(), gain.data()});
+  backend.for_each(id.size(), Choose_split{trials, shapes.fitted(), id.data(), trial.data(), account.data(), fit.data(),
+                                           found.split.data(), gain.data()});
   found.accepted = backend.compact(id.size(), Gains{gain.data()});
   return found;
 }

@@ -181,9 +181,10 @@ CGAL_TANDEM_HD inline std::int64_t alignment(std::int64_t normal_product, const 
   return square < most ? Score::unit - Score::unit * square / most : 0;
 }
 
-// How continuous the surface of two planes is at a point: 1 where they meet and do not turn, 0 where the step between
-// them is epsilon, or the angle alpha, or more. For the step it is the product of the weights that the ends of a link
-// have on the planes of each other.
+// How continuous the surface of two planes is at a point, in units: 1 where they meet and do not turn, 0 where the step
+// between them is epsilon, or the angle alpha, or more. For the step it is the product of the weights that two points
+// there have, each on the plane of the other. Of what a move changes, the bonus of sizes counts as far as the surface
+// is continuous: so a slight bend is no reason to cut a face, and size is no reason to join layers.
 CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b, const Grid_point& p,
                                                  const Tolerance& t)
 {
@@ -192,20 +193,14 @@ CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b,
   return w * w / Score::unit * alignment(product, t) / Score::unit;
 }
 
-// The contact of two shapes, or of two parts of one: its links, and sums over these of the continuity and of the
-// positions. Of what a union changes, or a split, so much counts: the bonus of sizes as far as the surface is
-// continuous, and the fit less, the more it is. So a slight bend is no reason to cut a face, and size is no reason to
-// join layers.
+// The contact of two shapes, or of two parts of one: its links, and the sum of the positions of their surfels.
 struct Contact {
-  static constexpr std::int64_t one = 256;
-
-  std::uint64_t links = 0, sum = 0;
+  std::uint64_t links = 0;
   std::int64_t position[3] = {0, 0, 0}; // in grid steps
 
-  CGAL_TANDEM_HD void add(std::uint64_t more, std::int64_t continuity, const Grid_point& p)
+  CGAL_TANDEM_HD void add(std::uint64_t more, const Grid_point& p)
   {
     links += more;
-    sum += more * std::uint64_t(continuity);
     position[0] += std::int64_t(more) * p.x;
     position[1] += std::int64_t(more) * p.y;
     position[2] += std::int64_t(more) * p.z;
@@ -213,20 +208,14 @@ struct Contact {
   CGAL_TANDEM_HD void operator+=(const Contact& c)
   {
     links += c.links;
-    sum += c.sum;
     for(int i = 0; i < 3; ++i)
       position[i] += c.position[i];
   }
-  // Of one: the mean.
-  CGAL_TANDEM_HD std::int64_t continuity() const
+  // There is at least one link.
+  CGAL_TANDEM_HD Grid_point center() const
   {
-    return links > 0 ? std::int64_t(sum / links) / (Score::unit / one) : 0;
-  }
-  // The mean position. There is at least one link.
-  CGAL_TANDEM_HD Vector center() const
-  {
-    const double n = double(links);
-    return {double(position[0]) / n, double(position[1]) / n, double(position[2]) / n};
+    const std::int64_t n = std::int64_t(links);
+    return {std::int32_t(position[0] / n), std::int32_t(position[1] / n), std::int32_t(position[2] / n), no_normal};
   }
 };
 
@@ -235,7 +224,6 @@ template <class Backend>
 CGAL_TANDEM_HD void atomic_add(Contact& target, const Contact& contact)
 {
   Backend::atomic_add(target.links, contact.links);
-  Backend::atomic_add(target.sum, contact.sum);
   for(int i = 0; i < 3; ++i)
     Backend::atomic_add(target.position[i], contact.position[i]);
 }

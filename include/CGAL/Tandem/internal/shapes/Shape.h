@@ -43,6 +43,13 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
   set_fit(m, fit_plane(m.scatter));
 }
 
+// Of the points, where these have tolerances of their own: the root of the mean square.
+CGAL_TANDEM_HD inline Tolerance mean_tolerance(const Fitted_moments& m, const Tolerance& t)
+{
+  const std::int64_t distance = std::int64_t(double(t.distance) * std::sqrt(m.scatter.squared_tolerance));
+  return {distance > 1 ? distance : 1, t.squared_cosine};
+}
+
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
 struct Shape_history {
   Regular_plane checked = {};   // against which its surfels were checked last, and ...

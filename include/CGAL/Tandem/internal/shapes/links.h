@@ -70,8 +70,6 @@ struct Collect_links {
   std::uint8_t* state;
   const std::uint8_t* is_selected; // by shape
   Link_set<Backend> links;
-  const Plane* plane; // by shape; null for one that started in the last pass of growth: its contacts have continuity 0
-  Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
@@ -123,14 +121,12 @@ private:
     if(t >= first_mark || t == s || edges == 0)
       return;
     Contact contact;
-    contact.add(edges, continuity_at(plane[s], plane[t], cloud.point[i], cloud.tolerance_of(i, tolerance)),
-                cloud.point[i]);
+    contact.add(edges, cloud.point[i]);
     const std::uint64_t pair = unordered_pair(s, t);
     Link& slot = scratch.link[std::uint32_t(hash_of_pair(pair) >> 56)];
     if(!block.count_pair(slot.pair, slot.contact.links, pair))
       return links.add(pair, contact);
     block.add(slot.contact.links, contact.links - 1);
-    block.add(slot.contact.sum, contact.sum);
     for(int d = 0; d < 3; ++d)
       block.add(slot.contact.position[d], contact.position[d]);
   }
@@ -185,8 +181,8 @@ Buffer_of<Backend, Link> join_links(Backend& backend, const Ranks<Backend>& rank
 // The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
 // counted again with a larger one. Interior surfels found by then have no links, so none is lost.
 template <class Backend>
-Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                                       const Tolerance& tolerance, Links which, Phase phase)
+Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
+                                       Phase phase)
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::moments | tables::lists);
@@ -207,9 +203,7 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
                                                        points.label(),
                                                        state,
                                                        is_selected.data(),
-                                                       {table.data(), std::uint32_t(size), lost.data()},
-                                                       shapes.plane.data(),
-                                                       tolerance});
+                                                       {table.data(), std::uint32_t(size), lost.data()}});
     points.ranks.sum(lost.data(), 1);
     constexpr bool are_many = Ranks<Backend>::are_many;
     constexpr std::uint32_t minimum = are_many ? 1 : tuning::moves::minimum_edges;

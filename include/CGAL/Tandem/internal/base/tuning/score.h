@@ -22,9 +22,9 @@ constexpr std::int64_t unit = 4096;
 constexpr Ratio link = {1, 2};
 // What those to free points cost, if all are. Less: planes through clutter stay. More: noisy faces become free.
 constexpr Ratio free_link = {3, 2};
-// So much less the fit counts in unions and splits of a continuous surface. More: faces that meet at a small angle are
-// one. Less: walls that bend are cut.
-constexpr Ratio continuous = {3, 4};
+// A point far from a plane counts against it as a free one, this factor times d^2 / epsilon^2 if it is at d from its own
+// plane: 1 on average for layers of a volume, sqrt(2) epsilon thick. Less: planes through trees support each other.
+constexpr std::int64_t own_distance = 6;
 // Of a shape, in minimum sizes. From 1 on small faces are missed.
 constexpr Ratio price = {3, 10};
 // What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
