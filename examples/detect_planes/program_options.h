@@ -265,7 +265,7 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add(group, "minimum-region-size", number_option(o.minimum_region_size, "N"),
       "smallest number of points of a shape, at least 3 (default: estimated)");
   add(group, "simplicity", number_option(o.simplicity, "MU"),
-      "from 0 for details to 1 for few and large planes: what the size of a shape is worth (default: 0.04)");
+      "from 0 for details to 1 for few and large planes: what the size of a shape is worth (default: 0.08)");
   add(group, "regularity", number_option(o.regularity, "R"),
       "from 0 for planes that follow their points to 10 for as many relations as possible: what a degree of freedom is "
       "worth (default: 0.1)");

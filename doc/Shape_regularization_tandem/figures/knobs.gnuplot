@@ -20,7 +20,7 @@ set style line 4 linewidth 2 linecolor rgb "#cc79a7" pointtype 11 pointsize 0.9
 
 # The values are names at equal distances, since 0 is one of them and they span decades.
 values = system(sprintf("awk -F, '$1 == \"labels\" && $2 == \"%s\" { print $3 }' '%s'", parameter, data))
-default = parameter eq "simplicity" ? "0.04" : "0.1"
+default = parameter eq "simplicity" ? "0.08" : "0.1"
 place(value) = (n = 0, sum [i = 1:words(values)] (word(values, i) eq value ? i : 0))
 tics = ""
 do for [i = 1:words(values)] {

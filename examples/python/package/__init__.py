@@ -102,7 +102,7 @@ def detect_planes(
                              maximum_distance
         minimum_region_size  smallest number of points of a shape, at least 3; None: estimated
         simplicity           what the size of a shape is worth, in [0, 1]. Smaller: more layers and details. Larger: fewer
-                             and larger shapes. None: 0.04
+                             and larger shapes. None: 0.08
         regularity           what a degree of freedom is worth, in minimum_region_size, in [0, 10]. Larger: more
                              relations. None: 0.1
         surfel_size          width of the cubes whose points are taken as one while shapes grow, divided by

@@ -79,7 +79,7 @@ the defaults then
   \cgalParamNBegin{simplicity}
     \cgalParamDescription{what the size of a shape is worth, in [0, 1]: the smaller, the more layers and details are
     shapes of their own; the larger, the fewer and larger the shapes}
-    \cgalParamDefault{0.04}
+    \cgalParamDefault{0.08}
   \cgalParamNEnd
   \cgalParamNBegin{regularity}
     \cgalParamDescription{what a degree of freedom is worth, in `minimum_region_size`, in [0, 10]: the smaller, the

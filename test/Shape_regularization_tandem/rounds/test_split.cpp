@@ -30,7 +30,6 @@ bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.
 // The definition of one trial, by surfels that stand for these numbers of points.
 struct Slow_trial {
   std::vector<char> nearest, smooth; // whether a surfel is in the second part
-  std::int64_t fit = 0;
   Split_account account;
 
   Slow_trial(const Fixture& f, std::uint32_t id, const Split& split, const std::vector<std::uint32_t>& points)
@@ -53,7 +52,7 @@ struct Slow_trial {
     for(std::uint32_t i = 0; i < f.label.size(); ++i) {
       if(f.label[i] != id)
         continue;
-      fit += points[i] * (weight(smooth[i] ? split.second : split.first, i) - weight(f.plane[id], i));
+      account.fit += points[i] * (weight(smooth[i] ? split.second : split.first, i) - weight(f.plane[id], i));
       account.second += smooth[i] ? points[i] : 0;
       f.for_each_neighbor(i, [&](std::uint32_t q) {
         if(f.label[q] == id && smooth[q] != smooth[i])
@@ -70,7 +69,7 @@ struct Slow_trial {
     const Tolerance tolerance = mean_tolerance(shape, options.growth.tolerance);
     const std::int64_t c =
       links > 0 ? continuity_at(split.first, split.second, account.contact.center(), tolerance) / 16 : 0;
-    return std::trunc(double(c) / 256 * (bonus(n - second) + bonus(second) - bonus(n))) + double(fit) +
+    return std::trunc(double(c) / 256 * (bonus(n - second) + bonus(second) - bonus(n))) + double(account.fit) +
            double(options.score.price() + options.score.links(std::int64_t(links)));
   }
 };
@@ -117,7 +116,7 @@ std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& 
       Split split = trials(shape[id], {sample.data(), std::uint32_t(sample.size())}, start);
       const Slow_trial trial(f, id, split, ones);
       const double gain = trial.gain(shape[id], split, options);
-      if(2 * std::int64_t(trial.account.second) > shape[id].moments.count)
+      if(2 * trial.account.second > shape[id].moments.count)
         std::swap(split.first, split.second);
       if(split.is_any() && gain > best.gain)
         best = {id, split, gain};
@@ -247,7 +246,6 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
     }
     std::vector<Split> split;
     std::vector<Split_account> expected;
-    std::vector<std::int64_t> expected_fit;
     std::vector<std::uint8_t> nearest(n, 0), smooth(n, 0);
     for(std::uint32_t s = 0; s < shapes; ++s) {
       candidate_of.push_back(s % 2 == 0 ? s / 2 : no_index);
@@ -257,7 +255,6 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
         split.push_back(planes);
         const Slow_trial slow(f, s, planes, points);
         expected.push_back(slow.account);
-        expected_fit.push_back(slow.fit);
         for(std::uint32_t i = 0; i < n; ++i) {
           nearest[i] = std::uint8_t(nearest[i] | slow.nearest[i] << t);
           smooth[i] = std::uint8_t(smooth[i] | slow.smooth[i] << t);
@@ -267,7 +264,7 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
     Cloud_view cloud = f.cloud;
     cloud.surfels.first = first.data();
     std::vector<std::uint8_t> parts(n), left(split.size() / starts, 255);
-    std::vector<std::int64_t> most(split.size()), fit(split.size());
+    std::vector<std::int64_t> most(split.size());
     std::vector<Split_account> got(split.size());
     const std::size_t cells = 3 * f.cells.size();
     const Candidates_view view = {cloud,          {f.cells.data(), f.lists.data(), 3},
@@ -286,16 +283,15 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
       left[0] = 0;
     backend.template for_each_cell<No_scratch>(cells,
                                                Sum_accounts<Backend>{view, left.data(), parts.data(), got.data()});
-    backend.template for_each_cell<No_scratch>(cells, Sum_fits<Backend>{view, left.data(), parts.data(), fit.data()});
     for(std::size_t t = 0; t < got.size(); ++t) {
       const std::string where = name + ", trial " + std::to_string(t) + ": ";
-      CHECK_AT(most[t] >= expected_fit[t], where + "bound of the fit");
+      CHECK_AT(most[t] >= expected[t].fit, where + "bound of the fit");
       if(t < starts) {
-        check_equal(fit[t], std::int64_t(0), where + "fit of a trial that is left out");
+        check_equal(got[t].fit, std::int64_t(0), where + "fit of a trial that is left out");
         check_equal(got[t].contact.links, std::uint64_t(0), where + "links of a trial that is left out");
         continue;
       }
-      check_equal(fit[t], expected_fit[t], where + "fit");
+      check_equal(got[t].fit, expected[t].fit, where + "fit");
       check_equal(got[t].second, expected[t].second, where + "points of the second part");
       check_equal(got[t].contact.links, expected[t].contact.links, where + "links");
       for(int d : {0, 1, 2})

@@ -45,9 +45,10 @@ struct Nearer_plane {
   }
 };
 
-// What a split changes, beside the fit: the points of the second part, and the contact of both parts.
+// What a split changes: the sum of the weights of points, and what follows from the points of the second part and from
+// the contact of both.
 struct Split_account {
-  std::uint64_t second = 0;
+  std::int64_t fit = 0, second = 0;
   Contact contact;
 };
 
@@ -80,13 +81,13 @@ public:
     return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
   }
 
-  // What a split gains; fit: by the weights of the points. It grows with the fit.
-  CGAL_TANDEM_HD std::int64_t gain(const Shape& s, const Split& split, const Split_account& a, std::int64_t fit) const
+  // What a split gains. It grows with the fit.
+  CGAL_TANDEM_HD std::int64_t gain(const Shape& s, const Split& split, const Split_account& a) const
   {
-    const std::int64_t continuity =
-      a.contact.links > 0 ? continuity_at(split.first, split.second, a.contact.center(), mean_tolerance(s, tolerance_))
-                          : 0;
-    return gain(s.moments.count, std::int64_t(a.second), fit, continuity) + score_.links(std::int64_t(a.contact.links));
+    if(a.contact.links == 0)
+      return gain(s.moments.count, a, 0);
+    return gain(s.moments.count, a,
+                continuity_at(split.first, split.second, a.contact.center(), mean_tolerance(s, tolerance_)));
   }
 
   CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
@@ -117,12 +118,12 @@ private:
     return Lane_group::sum(sum);
   }
 
-  // But for links.
-  CGAL_TANDEM_HD std::int64_t gain(std::int64_t n, std::int64_t second, std::int64_t fit, std::int64_t continuity) const
+  CGAL_TANDEM_HD std::int64_t gain(std::int64_t n, const Split_account& a, std::int64_t continuity) const
   {
-    const std::int64_t size = score_.size_bonus(n - second) + score_.size_bonus(second) - score_.size_bonus(n);
     constexpr std::int64_t one = 256; // no overflow of products with sizes
-    return continuity / (Score::unit / one) * size / one + fit + score_.price();
+    const std::int64_t size = score_.size_bonus(n - a.second) + score_.size_bonus(a.second) - score_.size_bonus(n);
+    return continuity / (Score::unit / one) * size / one + a.fit + score_.price() +
+           score_.links(std::int64_t(a.contact.links));
   }
 
   // Sums over a sample.
@@ -150,10 +151,10 @@ private:
                  (fits(whole, p, own) ? Score::weight({1, own.distance}, signed_distance(whole, p)) : 0);
       sum.continuity += continuity_at(split.first, split.second, p, own);
     });
-    const std::int64_t n = s.moments.count;
-    const double points = double(n) / double(sample.size); // of the shape for one of the sample
-    return gain(n, std::int64_t(points * double(sums.second)), std::int64_t(points * double(sums.fit)),
-                sums.continuity / sample.size) > 0;
+    const double points = double(s.moments.count) / double(sample.size); // of the shape for one of the sample
+    const Split_account of_shape = {
+      std::int64_t(points * double(sums.fit)), std::int64_t(points * double(sums.second)), {}};
+    return gain(s.moments.count, of_shape, sums.continuity / sample.size) > 0;
   }
 
   // The moments of those points of a sample that are in the second half, and of the others.

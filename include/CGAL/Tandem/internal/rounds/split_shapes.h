@@ -128,9 +128,8 @@ struct Candidates_view {
 struct Leave_trials {
   Split_trials trials;
   const Shape* shape;
-  const std::uint32_t* id; // of the candidates
-  const Split* split;      // these three by trial
-  const Split_account* account;
+  const std::uint32_t* id;  // of the candidates
+  const Split* split;       // these two by trial
   const std::int64_t* most; // bounds of the fit; null: not known
   std::uint8_t* left;       // by candidate, a bit for each trial
   std::uint32_t* candidate_of;
@@ -140,9 +139,9 @@ struct Leave_trials {
     unsigned result = 0;
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
       const std::size_t trial = i * Split_trials::starts + t;
-      const bool is_left = most == nullptr ? split[trial].is_any()
-                                           : (left[i] >> t & 1u) != 0 &&
-                                               trials.gain(shape[id[i]], split[trial], account[trial], most[trial]) > 0;
+      const bool is_left =
+        most == nullptr ? split[trial].is_any()
+                        : (left[i] >> t & 1u) != 0 && trials.gain(shape[id[i]], split[trial], {most[trial], 0, {}}) > 0;
       result |= unsigned(is_left) << t;
     }
     left[i] = std::uint8_t(result);
@@ -236,6 +235,7 @@ struct Sum_accounts {
     view.template accumulate<Split_account>(
       block, c, [&](std::uint32_t i, Trials_run<Split_account>& run) { account(i, run); },
       [&](std::uint32_t t, const Split_account& a) {
+        Backend::atomic_add(sum[t].fit, a.fit);
         Backend::atomic_add(sum[t].second, a.second);
         atomic_add<Backend>(sum[t].contact, a.contact);
       });
@@ -245,47 +245,23 @@ private:
   CGAL_TANDEM_HD void account(std::uint32_t i, Trials_run<Split_account>& run) const
   {
     const Cloud_view& cloud = view.cloud;
-    const std::uint64_t points = std::uint64_t(cloud.surfels.points(i).size());
+    const std::int64_t points = cloud.surfels.points(i).size(), before = view.weight(view.plane[view.label[i]], i);
     std::uint64_t cut = 0; // links, by bytes
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       if(view.label[row[j]] == view.label[i])
         cut += bytes_of_bits(std::uint8_t(parts[i] ^ parts[row[j]]));
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
-      run.sum[t].second += points * (parts[i] >> t & 1u);
-      const std::uint64_t links = cut >> 8 * t & 255u;
-      if(links > 0 && (left[run.candidate] >> t & 1u) != 0)
-        run.sum[t].contact.add(links * cloud.surfels.edge_weight(i), cloud.point[i]);
+      if((left[run.candidate] >> t & 1u) == 0)
+        continue;
+      const Split& split = view.split[run.candidate * Split_trials::starts + t];
+      const bool is_second = (parts[i] >> t & 1u) != 0;
+      Split_account& sum = run.sum[t];
+      sum.fit += points * (view.weight(is_second ? split.second : split.first, i) - before);
+      sum.second += is_second ? points : 0;
+      if(const std::uint64_t links = cut >> 8 * t & 255u; links > 0)
+        sum.contact.add(links * cloud.surfels.edge_weight(i), cloud.point[i]);
     }
-  }
-};
-
-// Sums how the weights of points change by the trials that are left.
-template <class Backend>
-struct Sum_fits {
-  Candidates_view view;
-  const std::uint8_t* left; // by candidate
-  const std::uint8_t* parts;
-  std::int64_t* fit; // by trial
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
-  {
-    view.template accumulate<std::int64_t>(
-      block, c, [&](std::uint32_t i, Trials_run<std::int64_t>& run) { add(i, run); },
-      [&](std::uint32_t t, std::int64_t sum) { Backend::atomic_add(fit[t], sum); });
-  }
-
-private:
-  CGAL_TANDEM_HD void add(std::uint32_t i, Trials_run<std::int64_t>& run) const
-  {
-    const std::int64_t points = view.cloud.surfels.points(i).size();
-    const std::int64_t before = view.weight(view.plane[view.label[i]], i);
-    for(std::uint32_t t = 0; t < Split_trials::starts; ++t)
-      if((left[run.candidate] >> t & 1u) != 0) {
-        const Split& split = view.split[run.candidate * Split_trials::starts + t];
-        run.sum[t] += points * (view.weight((parts[i] >> t & 1u) != 0 ? split.second : split.first, i) - before);
-      }
   }
 };
 
@@ -294,9 +270,8 @@ struct Choose_split {
   Split_trials trials;
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
-  const Split* trial;      // these three by trial
+  const Split* trial;      // these two by trial
   const Split_account* account;
-  const std::int64_t* fit;
   Split* split;       // by candidate
   std::int64_t* gain; // by candidate
 
@@ -305,14 +280,14 @@ struct Choose_split {
     const Shape& s = shape[id[i]];
     std::size_t best = 0;
     for(std::size_t t = i * Split_trials::starts; t < (i + 1) * Split_trials::starts; ++t) {
-      const std::int64_t g = trials.gain(s, trial[t], account[t], fit[t]);
+      const std::int64_t g = trials.gain(s, trial[t], account[t]);
       if(t % Split_trials::starts == 0 || g > gain[i]) {
         best = t;
         gain[i] = g;
       }
     }
     split[i] = trial[best];
-    if(2 * std::int64_t(account[best].second) > s.moments.count)
+    if(2 * account[best].second > s.moments.count)
       split[i] = {trial[best].second, trial[best].first};
   }
 };
@@ -398,8 +373,7 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   auto most = filled_buffer(backend, trial.size(), std::int64_t(0));
   auto account = filled_buffer(backend, trial.size(), Split_account());
   Buffer_of<Backend, std::uint8_t> left(id.size()), smooth(parts.size());
-  Leave_trials leave = {trials,         shapes.fitted(), id.data(),   trial.data(),
-                        account.data(), nullptr,         left.data(), candidate_of.data()};
+  Leave_trials leave = {trials, shapes.fitted(), id.data(), trial.data(), nullptr, left.data(), candidate_of.data()};
   backend.for_each(id.size(), leave);
   leave.most = most.data();
   backend.template for_each_cell<No_scratch>(points.number_of_parts(),
@@ -412,14 +386,9 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   backend.template for_each_cell<No_scratch>(points.number_of_parts(),
                                              Sum_accounts<Backend>{view, left.data(), smooth.data(), account.data()});
   points.ranks.sum(reinterpret_cast<std::uint64_t*>(account.data()), account.size() * sizeof(Split_account) / 8);
-  backend.for_each(id.size(), leave);
-  auto fit = filled_buffer(backend, trial.size(), std::int64_t(0));
-  backend.template for_each_cell<No_scratch>(points.number_of_parts(),
-                                             Sum_fits<Backend>{view, left.data(), smooth.data(), fit.data()});
-  points.ranks.sum(fit.data(), fit.size());
   found.split.reset(id.size());
   Buffer_of<Backend, std::int64_t> gain(id.size());
-  backend.for_each(id.size(), Choose_split{trials, shapes.fitted(), id.data(), trial.data(), account.data(), fit.data(),
+  backend.for_each(id.size(), Choose_split{trials, shapes.fitted(), id.data(), trial.data(), account.data(),
                                            found.split.data(), gain.data()});
   found.accepted = backend.compact(id.size(), Gains{gain.data()});
   return found;
