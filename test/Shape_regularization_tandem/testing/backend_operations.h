@@ -247,12 +247,12 @@ private:
 
   // --- The table of links
 
-  using Counts = std::map<std::uint64_t, std::array<std::uint64_t, 5>>; // by pair
+  using Counts = std::map<std::uint64_t, std::array<std::uint64_t, 4>>; // by pair: edges and positions
 
-  static std::array<std::uint64_t, 5> counts(const Link& link)
+  static std::array<std::uint64_t, 4> counts(const Link& link)
   {
     const std::int64_t* const p = link.contact.position;
-    return {link.contact.links, link.contact.sum, std::uint64_t(p[0]), std::uint64_t(p[1]), std::uint64_t(p[2])};
+    return {link.contact.links, std::uint64_t(p[0]), std::uint64_t(p[1]), std::uint64_t(p[2])};
   }
 
   // Of pairs of which each comes about three times, most of them with one edge.
@@ -266,9 +266,8 @@ private:
     }
     std::vector<Link> additions(n);
     for(Link& a : additions)
-      a = {
-        pairs[random() % pairs.size()],
-        {random() % 4 == 0 ? 1 + random() % 1000 : 1u, random(), {std::int64_t(random()), -std::int64_t(random()), 7}}};
+      a = {pairs[random() % pairs.size()],
+           {random() % 4 == 0 ? 1 + random() % 1000 : 1u, {std::int64_t(random()), -std::int64_t(random()), 7}}};
     return additions;
   }
 
@@ -278,7 +277,7 @@ private:
     const auto check_table = [&](bool is_right, const char* what) {
       check(is_right, std::to_string(additions.size()) + " additions, " + what + ": table", size);
     };
-    Counts expected; // edges and sums
+    Counts expected;
     std::map<std::uint64_t, std::uint32_t> number;
     for(const Link& a : additions) {
       const auto added = counts(a);
