@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(passes)
     Given given;
     double items, loops, cell_loops;
   };
-  for(const Bounds& most : {Bounds{Given::normals, 99.4, 194, 16.4}, Bounds{Given::nothing, 134.2, 208, 18.3}})
+  for(const Bounds& most : {Bounds{Given::normals, 95.2, 178, 14.9}, Bounds{Given::nothing, 137.3, 222, 17.2}})
     for(const std::size_t points : {30000, 120000}) {
       Thread_backend::loops = Thread_backend::items = Thread_backend::cell_loops = 0;
       const Cloud cloud = to_cloud(scenes::make_scene("indoor", scene_options(points, .001, .1)));

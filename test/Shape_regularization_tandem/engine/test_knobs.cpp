@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(test_bent_floor)
   }
   std::vector<std::size_t> number;
   Parameters p = make_parameters(epsilon, 200);
-  for(const double simplicity : {0., .04, .3, 1.}) {
+  for(const double simplicity : {0., Parameters().simplicity, .3, 1.}) {
     p.simplicity = simplicity;
     number.push_back(detect_valid("bent floor", cloud, p).number_of_shapes());
   }

@@ -102,7 +102,7 @@ std::vector<double> slow_score(const Fixture& f, std::int64_t minimum_size)
   }
   for(const double n : points)
     if(n > 0) {
-      size += .04 * n * std::log2(n / double(minimum_size));
+      size += Parameters().simplicity * n * std::log2(n / double(minimum_size));
       price -= .3 * double(minimum_size);
     }
   return {fit, links / f.cloud.k, size, price};

@@ -79,14 +79,25 @@ public:
   }
 
 private:
-  // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning.
+  // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning:
+  // of what it exceeds that of the own shape, as much as the surface of both is continuous.
   std::int64_t worth(const Labels& label, std::uint32_t i, std::uint32_t s) const
   {
     std::int64_t links = 0;
     f.for_each_neighbor(i, [&](std::uint32_t j) { links += label[j] == s; });
-    const std::int64_t distance = signed_distance(f.plane[s], f.point[i]), points = shape_[s].moments.count;
-    return Score::weight({1, f.tolerance_of(i).distance}, distance) + links * (Score::unit / 2) / f.cloud.k +
-           (points > 0 ? options.score.point_bonus(points) : 0);
+    const std::int64_t distance = signed_distance(f.plane[s], f.point[i]);
+    const std::int64_t result =
+      Score::weight({1, f.tolerance_of(i).distance}, distance) + links * (Score::unit / 2) / f.cloud.k;
+    if(label[i] >= first_mark)
+      return result + bonus(s);
+    const std::int64_t continuity = continuity_at(f.plane[label[i]], f.plane[s], f.point[i], f.tolerance_of(i));
+    return result + (bonus(s) - bonus(label[i])) * continuity / Score::unit;
+  }
+
+  std::int64_t bonus(std::uint32_t s) const
+  {
+    const std::int64_t points = shape_[s].moments.count;
+    return points > 0 ? options.score.point_bonus(points) : 0;
   }
 
   std::uint32_t choose(const Labels& label, std::uint32_t i, std::uint32_t pass)

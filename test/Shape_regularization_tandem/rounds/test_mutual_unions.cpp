@@ -40,7 +40,6 @@ Stage_parameters union_options(std::int64_t minimum_size = 100)
   o.score = Score(std::uint64_t(minimum_size), 12);
   o.minimum_region_size = minimum_size;
   o.maximum_distance_steps = epsilon;
-  o.squared_cosine = cosine_deg(25) * cosine_deg(25);
   o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
   return o;
 }
@@ -132,7 +131,7 @@ public:
     const double sign = dot(a.fitted.local.normal, b.fitted.local.normal) < 0 ? -1 : 1;
     const double step = (height(a.fitted.local) - sign * height(b.fitted.local)) / epsilon;
     const double cosine = dot(a.fitted.local.normal, b.fitted.local.normal);
-    const double turn = (1 - cosine * cosine) / (1 - options_.squared_cosine);
+    const double turn = (1 - cosine * cosine) / (1 - cosine_deg(25) * cosine_deg(25));
     const double continuity = std::pow((std::max)(0., 1 - step * step), 2) * (std::max)(0., 1 - turn);
     const double saved = Score::unit * (.3 * double(options_.minimum_region_size) + links / 2 / 12);
     const double gain = saved + continuity * size + fit;

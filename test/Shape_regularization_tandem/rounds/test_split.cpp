@@ -269,11 +269,10 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
     const std::size_t cells = 3 * f.cells.size();
     const Candidates_view view = {cloud,          {f.cells.data(), f.lists.data(), 3},
                                   f.label.data(), candidate_of.data(),
-                                  split.data(),   f.plane.data(),
-                                  f.tolerance};
+                                  split.data(),   left.data(),
+                                  f.plane.data(), f.tolerance};
     using Backend = decltype(backend);
-    backend.template for_each_cell<No_scratch>(cells,
-                                               Choose_parts<Backend>{view, left.data(), parts.data(), most.data()});
+    backend.template for_each_cell<No_scratch>(cells, Choose_parts<Backend>{view, parts.data(), most.data()});
     check_lists(parts, nearest, name + ": parts");
     backend.for_each(n, Smooth_parts{view, nearest.data(), parts.data()});
     for(std::uint32_t i = 0; i < n; ++i) // of others, they do not matter
@@ -281,8 +280,7 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
     CHECK_AT(n < 100 || smooth != nearest, name + ": nothing to smooth");
     if(!left.empty())
       left[0] = 0;
-    backend.template for_each_cell<No_scratch>(cells,
-                                               Sum_accounts<Backend>{view, left.data(), parts.data(), got.data()});
+    backend.template for_each_cell<No_scratch>(cells, Sum_accounts<Backend>{view, parts.data(), got.data()});
     for(std::size_t t = 0; t < got.size(); ++t) {
       const std::string where = name + ", trial " + std::to_string(t) + ": ";
       CHECK_AT(most[t] >= expected[t].fit, where + "bound of the fit");

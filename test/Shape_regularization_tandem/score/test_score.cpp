@@ -35,7 +35,8 @@ BOOST_AUTO_TEST_CASE(test_parts)
   for(int i = 0; i < 2000; ++i) {
     const std::uint64_t minimum = 3 + random.bits() % 500;
     const int k = 3 + int(random.bits() % 40);
-    const double simplicity = i == 0 ? .04 : random.uniform(), regularity = i == 0 ? .1 : 10 * random.uniform();
+    const double simplicity = i == 0 ? Parameters().simplicity : random.uniform(),
+                 regularity = i == 0 ? .1 : 10 * random.uniform();
     const Score score = i == 0 ? Score(minimum, k) : Score(minimum, k, simplicity, regularity);
     const std::string where = "case " + std::to_string(i);
     const std::int64_t n = 1 + std::int64_t(std::exp2(36 * random.uniform()));
@@ -136,7 +137,7 @@ Result_score brute_force(const std::vector<Vec>& points, const Shapes& shapes)
     score.fit += 1 - d * d / epsilon / epsilon;
   }
   for(double n : size) {
-    score.size += .04 * n * std::log2(n / m);
+    score.size += p.simplicity * n * std::log2(n / m);
     score.price -= .3 * m;
   }
   std::map<std::size_t, double> largest; // of the shapes of a plane

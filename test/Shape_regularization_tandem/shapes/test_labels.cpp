@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows from labels, against plain loops on several back ends, which pass cells in parts: links and how continuous
-// they are, also where the first table of all cells is too small; moments, boxes, the lists of the shapes of each cell; and the update of labels,
-// which keeps these.
+// What follows from labels, against plain loops on several back ends, which pass cells in parts: links and where they
+// are, also where the first table of all cells is too small; moments, boxes, the lists of the shapes of each cell; and
+// the update of labels, which keeps these.
 
 #include "testing/body_fixture.h"
 

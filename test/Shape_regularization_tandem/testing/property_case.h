@@ -339,7 +339,7 @@ private:
     p.minimum_region_size = happens(.1) ? 0 : std::size_t(3 + below(happens(.5) ? 10 : 60));
     p.maximum_angle = happens(.5) ? 25 : between(1, 89.9);
     p.angle_tolerance = happens(.5) ? 8 : between(0, 44.9);
-    p.simplicity = happens(.5) ? .04 : between(0, happens(.5) ? .2 : 1);
+    p.simplicity = happens(.5) ? Parameters().simplicity : between(0, happens(.5) ? .2 : 1);
     p.regularity = happens(.5) ? .1 : between(0, happens(.5) ? 1 : 10);
     p.surfel_size = happens(.5) ? .55 : happens(.3) ? 0 : between(0, .55);
     p.k_neighbors = happens(.5) ? 12 : std::size_t(3 + below(40));

@@ -61,7 +61,6 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
   const double step = in.grid.step;
   const double cosine = cosine_deg(p.maximum_angle);
   o.maximum_distance_steps = p.maximum_distance / step;
-  o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
   o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_ratio.of(o.minimum_region_size));
   o.minimum_fragment_size =

@@ -152,7 +152,7 @@ public:
 
   // Whether it has not fallen since, but for what the moves count less or not, the bonus of sizes and links to free
   // points; and for the error of samples, by which unions estimate how many points will not fit: a third of the points
-  // that change their label, and a minimum size. Then notes it again.
+  // that change their label, and what three shapes cost. Then notes it again.
   bool rises()
   {
     const auto own = points_.backend.template sum<1>(
@@ -162,8 +162,7 @@ public:
     begin();
     const auto fall = [](std::int64_t of, std::int64_t to) { return (std::max)(of - to, std::int64_t(0)); };
     return score_.terms.total() + fall(before.terms.size, score_.terms.size) +
-             fall(before.free_links, score_.free_links) +
-             Score::unit * (relabeled / 3 + std::int64_t(options_.minimum_region_size)) >=
+             fall(before.free_links, score_.free_links) + Score::unit * (relabeled / 3) - 3 * options_.score.price() >=
            before.terms.total();
   }
 

@@ -44,7 +44,7 @@ struct Sampled_shape {
 
 // Within moments, the worth of a shape is 1 - d^2 / epsilon^2, also of points that do not fit and are worth nothing.
 // How much that counts wrong is estimated from the sample, as a difference of both planes for the same points, so that
-// most of the error of a sample cancels out. A point that no longer fits is lost, however continuous the surface is.
+// most of the error of a sample cancels out.
 class Union_gain {
 public:
   explicit Union_gain(const Stage_parameters& options)

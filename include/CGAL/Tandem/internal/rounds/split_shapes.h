@@ -3,7 +3,8 @@
 //
 // A shape whose points lie on two planes becomes two shapes where that gains: layers that one plane has swallowed,
 // surfaces that bend, faces that meet at a small angle. Pairs of planes are found in a sample of the points
-// (Split_trials), and judged by all points and the links that they would cut; then each surfel goes to the nearer one.
+// (Split_trials); those that gain by it are judged by all points and the links that they would cut. Then each surfel
+// goes to the nearer one.
 // Changes labels, the table of shapes, and what the shapes note of it. See the manual, "Splits".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_SHAPES_H
@@ -81,8 +82,14 @@ struct Candidates_view {
   const std::uint32_t* label;
   const std::uint32_t* candidate_of; // by shape; no_index if it is none
   const Split* split;                // by trial
+  const std::uint8_t* left;          // by candidate, a bit for each trial
   const Plane* plane;                // by shape
   Tolerance tolerance;
+
+  CGAL_TANDEM_HD bool is_left(std::uint32_t candidate, std::uint32_t t) const
+  {
+    return (left[candidate] >> t & 1u) != 0;
+  }
 
   CGAL_TANDEM_HD std::uint32_t candidate(std::uint32_t i) const
   {
@@ -99,7 +106,8 @@ struct Candidates_view {
     const Range cell = cells[c];
     const auto end_run = [&](const Run& run) {
       for(std::uint32_t t = 0; run.candidate != no_index && t < Split_trials::starts; ++t)
-        add(run.candidate * Split_trials::starts + t, run.sum[t]);
+        if(is_left(run.candidate, t))
+          add(run.candidate * Split_trials::starts + t, run.sum[t]);
     };
     block.template accumulate<Run>(
       cell.size(),
@@ -126,8 +134,7 @@ struct Candidates_view {
 
 // Trials are left that may gain by what is known of them, and candidates with such trials.
 struct Leave_trials {
-  Split_trials trials;
-  const Shape* shape;
+  std::int64_t price;       // of a shape
   const std::uint32_t* id;  // of the candidates
   const Split* split;       // these two by trial
   const std::int64_t* most; // bounds of the fit; null: not known
@@ -139,9 +146,7 @@ struct Leave_trials {
     unsigned result = 0;
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
       const std::size_t trial = i * Split_trials::starts + t;
-      const bool is_left =
-        most == nullptr ? split[trial].is_any()
-                        : (left[i] >> t & 1u) != 0 && trials.gain(shape[id[i]], split[trial], {most[trial], 0, {}}) > 0;
+      const bool is_left = most == nullptr ? split[trial].is_any() : most[trial] > price;
       result |= unsigned(is_left) << t;
     }
     left[i] = std::uint8_t(result);
@@ -155,7 +160,6 @@ struct Leave_trials {
 template <class Backend>
 struct Choose_parts {
   Candidates_view view;
-  const std::uint8_t* left; // by candidate
   std::uint8_t* parts;
   std::int64_t* most; // by trial
 
@@ -175,7 +179,7 @@ private:
     const std::int64_t before = view.weight(view.plane[view.label[i]], i);
     unsigned result = 0;
     for(unsigned t = 0; t < Split_trials::starts; ++t)
-      if((left[run.candidate] >> t & 1u) != 0) {
+      if(view.is_left(run.candidate, t)) {
         const Nearer_plane nearer(view.split[run.candidate * Split_trials::starts + t], view.cloud.point[i]);
         result |= unsigned(nearer.is_second) << t;
         run.sum[t] += points * (nearer.most(tolerance) - before);
@@ -225,7 +229,6 @@ struct Smooth_parts {
 template <class Backend>
 struct Sum_accounts {
   Candidates_view view;
-  const std::uint8_t* left; // by candidate
   const std::uint8_t* parts;
   Split_account* sum; // by trial
 
@@ -252,7 +255,7 @@ private:
       if(view.label[row[j]] == view.label[i])
         cut += bytes_of_bits(std::uint8_t(parts[i] ^ parts[row[j]]));
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
-      if((left[run.candidate] >> t & 1u) == 0)
+      if(!view.is_left(run.candidate, t))
         continue;
       const Split& split = view.split[run.candidate * Split_trials::starts + t];
       const bool is_second = (parts[i] >> t & 1u) != 0;
@@ -365,26 +368,27 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
     backend.for_each(all.size(), Put_split{all.data(), trial.data()});
   }
   auto candidate_of = places_of(backend, shapes.size, id);
-  const Candidates_view view = {points.cloud.view(),     points.listed_parts(), points.label(),
-                                candidate_of.data(),     trial.data(),          shapes.plane.data(),
-                                options.growth.tolerance};
+  Buffer_of<Backend, std::uint8_t> left(id.size());
+  const Candidates_view view = {
+    points.cloud.view(), points.listed_parts(), points.label(),      candidate_of.data(),
+    trial.data(),        left.data(),           shapes.plane.data(), options.growth.tolerance};
   const std::size_t n = points.cloud.number_of_surfels();
   auto parts = filled_buffer(backend, points.cloud.size_with_ghosts(), std::uint8_t(0));
   auto most = filled_buffer(backend, trial.size(), std::int64_t(0));
   auto account = filled_buffer(backend, trial.size(), Split_account());
-  Buffer_of<Backend, std::uint8_t> left(id.size()), smooth(parts.size());
-  Leave_trials leave = {trials, shapes.fitted(), id.data(), trial.data(), nullptr, left.data(), candidate_of.data()};
+  Buffer_of<Backend, std::uint8_t> smooth(parts.size());
+  Leave_trials leave = {-options.score.price(), id.data(), trial.data(), nullptr, left.data(), candidate_of.data()};
   backend.for_each(id.size(), leave);
   leave.most = most.data();
   backend.template for_each_cell<No_scratch>(points.number_of_parts(),
-                                             Choose_parts<Backend>{view, left.data(), parts.data(), most.data()});
+                                             Choose_parts<Backend>{view, parts.data(), most.data()});
   points.ranks.sum(most.data(), most.size());
   points.ranks.refresh(parts.data(), Rings::inner);
   backend.for_each(id.size(), leave);
   backend.for_each(n, Smooth_parts{view, parts.data(), smooth.data()});
   points.ranks.refresh(smooth.data(), Rings::inner);
   backend.template for_each_cell<No_scratch>(points.number_of_parts(),
-                                             Sum_accounts<Backend>{view, left.data(), smooth.data(), account.data()});
+                                             Sum_accounts<Backend>{view, smooth.data(), account.data()});
   points.ranks.sum(reinterpret_cast<std::uint64_t*>(account.data()), account.size() * sizeof(Split_account) / 8);
   found.split.reset(id.size());
   Buffer_of<Backend, std::int64_t> gain(id.size());

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a result is worth, in points: one measure for all decisions, and for all detectors. Unions and splits weigh its
-// terms by how continuous the surface is: see Contact.
+// What a result is worth, in points: one measure for all decisions, and for all detectors. Moves weigh the bonus of
+// sizes by how continuous the surface is: see continuity_at().
 //
 //   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane, epsilon: tolerance of
 //                                                                     the point; free points count 0
@@ -19,7 +19,6 @@
 #define CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
@@ -211,7 +210,7 @@ struct Contact {
     for(int i = 0; i < 3; ++i)
       position[i] += c.position[i];
   }
-  // There is at least one link.
+  // The mean position, rounded towards 0. There is at least one link; 64 bits suffice for 2^35 of them.
   CGAL_TANDEM_HD Grid_point center() const
   {
     const std::int64_t n = std::int64_t(links);

@@ -63,7 +63,6 @@ struct Stage_parameters {
   Score score = Score(1, 1);
   Regularity_parameters regularity;
   double maximum_distance_steps; // epsilon
-  double squared_cosine;         // of alpha
   std::int64_t minimum_region_size;
   std::int64_t minimum_related_size;  // smaller shapes get no relations in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing
