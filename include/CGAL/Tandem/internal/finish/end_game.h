@@ -183,8 +183,8 @@ bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const S
   return merge_by_gain(points, shapes, options, links);
 }
 
-// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains. Then components
-// become shapes, clutter becomes free, and shapes unite as long as that gains.
+// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains. Then clutter becomes
+// free, before components become shapes and afterwards, and shapes unite as long as that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
@@ -204,11 +204,15 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     unite(points, shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   }
-  fit_planes(points, shapes);
+  const auto drop_clutter = [&] {
+    fit_planes(points, shapes);
+    free_clutter(points, shapes, options.growth.tolerance);
+    assign(shapes, options);
+    fit_planes(points, shapes);
+  };
+  drop_clutter();
   separate_components(points, shapes, options);
-  fit_planes(points, shapes);
-  free_clutter(points, shapes, options.growth.tolerance);
-  assign(shapes, options);
+  drop_clutter();
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
   while(unite(points, shapes, options)) {      // ends, since unions leave fewer shapes, and an assignment makes none
     fit_planes(points, shapes);
