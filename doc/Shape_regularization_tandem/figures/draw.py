@@ -36,7 +36,7 @@ BUILD = pathlib.Path(os.environ.get("TANDEM_BUILD_DIR", ROOT / "build/figures"))
 PARAMETERS = ["0.15", "25.842", "100"]  # of the building
 COLUMNS = ["cloud", "parameter", "value", "shapes", "coverage_percent", "mean_distance_in_epsilons", "degrees_of_freedom",
            "f_of_faces", "kept_of_layers", "angle_error_deg", "false_parallels"]
-KNOBS = {"simplicity": "0 0.02 0.04 0.06 0.08 0.1 0.15 0.2 0.3 0.5 1", "regularity": "0 0.01 0.03 0.1 0.2 0.3 1 3 10"}
+KNOBS = {"simplicity": "0 0.04 0.06 0.08 0.1 0.15 0.2 0.3 0.5 1", "regularity": "0 0.01 0.03 0.1 0.2 0.3 1 3 10"}
 
 
 def run(*command, **options):
