@@ -132,6 +132,20 @@ struct Count_relabeled {
   }
 };
 
+// The points of surfels that do not fit the planes of their shapes. They leave these when surfels are assigned.
+struct Count_misfits {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const Plane* plane; // by shape
+  Tolerance tolerance;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sums) const
+  {
+    const std::uint32_t i = std::uint32_t(at), s = label[i];
+    sums[0] += s < first_mark && !cloud.fits(plane[s], i, tolerance) ? std::int64_t(cloud.surfels.points(i).size()) : 0;
+  }
+};
+
 // Planes become those that fit best; nothing else changes.
 template <class Backend>
 class Score_watch {
@@ -147,31 +161,42 @@ public:
     label_.reset(points_.cloud.number_of_surfels());
     points_.backend.for_each(label_.size(), Copy_items<std::uint32_t>{points_.label(), label_.data()});
     score_ = measure_score(points_, shapes_, options_);
+    misfits_ =
+      total_of(Count_misfits{points_.cloud.view(), points_.label(), shapes_.plane.data(), options_.growth.tolerance});
     return true;
   }
 
   // Whether it has not fallen since, but for what the moves count less or not, the bonus of sizes and links to free
-  // points; and for the error of samples, by which unions estimate how many points will not fit: a third of the points
-  // that change their label, and what three shapes cost. Then notes it again.
+  // points; for points that did not fit; and for the error of samples, by which unions estimate how many points will not
+  // fit: a third of the points that change their label, and what three shapes cost. Then notes it again.
   bool rises()
   {
-    const auto own = points_.backend.template sum<1>(
-      label_.size(), Count_relabeled{points_.cloud.surfels(), label_.data(), points_.label()});
-    const std::int64_t relabeled = std::int64_t(points_.ranks.total(std::size_t(own[0])));
+    const std::int64_t relabeled = total_of(Count_relabeled{points_.cloud.surfels(), label_.data(), points_.label()});
+    const std::int64_t misfits = misfits_;
     const Measured_score before = score_;
     begin();
     const auto fall = [](std::int64_t of, std::int64_t to) { return (std::max)(of - to, std::int64_t(0)); };
     return score_.terms.total() + fall(before.terms.size, score_.terms.size) +
-             fall(before.free_links, score_.free_links) + Score::unit * (relabeled / 3) - 3 * options_.score.price() >=
+             fall(before.free_links, score_.free_links) + Score::unit * (misfits + relabeled / 3) -
+             3 * options_.score.price() >=
            before.terms.total();
   }
 
 private:
+  // Over all surfels of all ranks.
+  template <class F>
+  std::int64_t total_of(F count)
+  {
+    return std::int64_t(
+      points_.ranks.total(std::size_t(points_.backend.template sum<1>(points_.cloud.number_of_surfels(), count)[0])));
+  }
+
   Labeled_cloud<Backend>& points_;
   Shape_table<Backend>& shapes_;
   const Stage_parameters& options_;
   Buffer_of<Backend, std::uint32_t> label_;
   Measured_score score_;
+  std::int64_t misfits_ = 0; // when it was noted
 };
 
 // Touching shapes unite where that gains. Returns whether any do.
