@@ -233,7 +233,6 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     fit_planes(points, shapes);
     free_clutter(points, shapes, options.growth.tolerance);
     assign(shapes, options);
-    fit_planes(points, shapes);
   };
   drop_clutter();
   separate_components(points, shapes, options);
