@@ -25,8 +25,6 @@ using namespace std::string_literals;
 
 using Labels = std::vector<std::uint32_t>;
 
-bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d; }
-
 // The definition of one trial, by surfels that stand for these numbers of points.
 struct Slow_trial {
   std::vector<char> nearest, smooth; // whether a surfel is in the second part
@@ -208,7 +206,7 @@ std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
       return;
     check_lists(to_vector(backend, points.label(), f.label.size()), after.label, where + ": labels");
     for(std::size_t id = 0; id < shapes.size; ++id)
-      CHECK_AT(is_same(shapes.plane[id], after.plane[id]), where + ", shape " + std::to_string(id) + ": plane");
+      CHECK_AT(shapes.plane[id] == after.plane[id], where + ", shape " + std::to_string(id) + ": plane");
     check_tables(points, shapes, after, where);
   });
   return count;

@@ -62,11 +62,6 @@ private:
   Engine<Sequential_backend> engine_;
 };
 
-bool is_same_plane(const Plane& a, const Plane& b)
-{
-  return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d;
-}
-
 void check_state(const State& t, const std::string& where)
 {
   const Surfels_view surfels = t.points.cloud.surfels();
@@ -78,7 +73,7 @@ void check_state(const State& t, const std::string& where)
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
     const Shape& shape = shapes.table()[id];
     CHECK_AT(are_equal(shape.moments, sum[id]), where + ": moments of shape " + std::to_string(id));
-    CHECK_AT(!shape.is_live() || is_same_plane(shapes.plane[id], rounded(shape.plane)),
+    CHECK_AT(!shape.is_live() || shapes.plane[id] == rounded(shape.plane),
              where + ": plane of shape " + std::to_string(id));
   }
   CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that were not taken");
@@ -176,7 +171,7 @@ BOOST_AUTO_TEST_CASE(requests_of_rounds)
   });
   check_stage("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
   check_stage("regularization", [](State& t, Link_buffer&) {
-    regularize_shapes(t.points, t.shapes, t.options, {true, t.options.minimum_related_size});
+    regularize_shapes(t.points, t.shapes, t.options, true, t.options.minimum_related_size);
   });
 }
 

@@ -242,6 +242,11 @@ struct Plane {
   std::int64_t d;
 };
 
+CGAL_TANDEM_HD inline bool operator==(const Plane& s, const Plane& t)
+{
+  return s.nx == t.nx && s.ny == t.ny && s.nz == t.nz && s.d == t.d;
+}
+
 // The signed distance to the plane, in 2^-28 grid steps.
 CGAL_TANDEM_HD inline std::int64_t signed_distance(const Plane& s, const Grid_point& p)
 {

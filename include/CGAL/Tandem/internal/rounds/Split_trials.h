@@ -18,10 +18,7 @@ namespace CGAL::Tandem::internal {
 struct Split {
   Plane first, second;
 
-  CGAL_TANDEM_HD bool is_any() const
-  {
-    return first.nx != second.nx || first.ny != second.ny || first.nz != second.nz || first.d != second.d;
-  }
+  CGAL_TANDEM_HD bool is_any() const { return !(first == second); }
 };
 
 // The nearer plane of a split, the first one of equally near ones.
@@ -174,10 +171,8 @@ private:
 
   CGAL_TANDEM_HD static Plane plane_of(const Moments& m)
   {
-    Fitted_moments f;
-    f.moments = m;
-    refit(f);
-    return rounded(f.local);
+    const Scatter s = make_scatter(m);
+    return rounded(plane_through(fit_plane(s).normal, s.centroid));
   }
 
   // Halves along both axes and both diagonals, of the distance, middle and ends.

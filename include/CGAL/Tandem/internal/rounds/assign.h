@@ -30,8 +30,7 @@ struct Assigned_shape {
 
   CGAL_TANDEM_HD bool operator==(const Assigned_shape& s) const
   {
-    return plane.nx == s.plane.nx && plane.ny == s.plane.ny && plane.nz == s.plane.nz && plane.d == s.plane.d &&
-           bonus == s.bonus && plane_number == s.plane_number;
+    return plane == s.plane && bonus == s.bonus && plane_number == s.plane_number;
   }
 };
 
