@@ -132,17 +132,16 @@ CGAL_TANDEM_HD inline std::uint32_t sample_bound(const Shape& shape, std::int64_
   return n <= expected ? ~std::uint32_t(0) : std::uint32_t((expected << 32) / n);
 }
 
-// Of all shapes, or of the listed ones only.
+template <class Predicate>
 struct Bound_samples {
   const Shape* shape;
-  const std::uint32_t* listed; // null: all
+  Predicate is_sampled;
   std::int64_t expected;
   std::uint32_t* bound; // by shape
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    const std::size_t id = listed != nullptr ? listed[i] : i;
-    bound[id] = sample_bound(shape[id], expected);
+    bound[id] = is_sampled(std::uint32_t(id)) ? sample_bound(shape[id], expected) : 0;
   }
 };
 
@@ -200,25 +199,31 @@ struct Put_sampled {
   }
 };
 
-// The sampled points of all shapes, shape by shape, by rising hash.
+// The sampled points of the shapes, shape by shape, by rising hash.
 template <class Backend>
 struct Sorted_samples {
   Buffer_of<Backend, Sampled_point> point;
   Buffer_of<Backend, Range> range; // by shape
 };
 
-template <class Backend>
-Sorted_samples<Backend> sorted_samples(Backend& backend, std::size_t shapes,
-                                       const Buffer_of<Backend, Keyed_point>& keyed)
+// About so many points of each shape with is_sampled(id), or all of them, of all ranks.
+template <class Backend, class Predicate>
+Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
+                                       Predicate is_sampled, std::int64_t expected)
 {
   using View = typename Backend::Sort_table::View;
+  Backend& backend = points.backend;
+  Buffer_of<Backend, std::uint32_t> bound(shapes.size);
+  for_each_shape(backend, shapes, Bound_samples<Predicate>{shapes.counted(), is_sampled, expected, bound.data()});
+  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
+                                                 Take_sampled{points.cloud.view(), points.label(), bound.data()});
   const std::size_t n = keyed.size();
   typename Backend::Sort_table table(n);
   backend.for_each(n, Set_sample_key<View>{keyed.data(), table.view()});
-  backend.sort(table, 32 + bits_of(shapes)); // of the hash, and of the shape
+  backend.sort(table, 32 + bits_of(shapes.size)); // of the hash, and of the shape
   Sorted_samples<Backend> samples;
   samples.point.reset(n);
-  samples.range = filled_buffer(backend, shapes, Range());
+  samples.range = filled_buffer(backend, shapes.size, Range());
   backend.for_each(n, Put_sampled<View>{table.view(), n, keyed.data(), samples.point.data(), samples.range.data()});
   return samples;
 }
@@ -240,53 +245,16 @@ struct Fill_sample {
   }
 };
 
-// An item of a sample on its way to other ranks.
-struct Sent_sample {
-  std::uint32_t shape;
-  Sampled_point item;
-};
-
-// Of the samples of the points of each rank, those of all points.
-template <class Backend>
-void join_samples(Backend& backend, const Ranks<Backend>& ranks, Shape_samples<Backend>& samples)
-{
-  Host_view<Backend, Shape_sample> table(backend, samples.data(), samples.size());
-  std::vector<Sent_sample> own;
-  for(std::size_t id = 0; id < samples.size(); ++id)
-    for(std::uint32_t i = 0; i < table.data()[id].size; ++i)
-      own.push_back({std::uint32_t(id), table.data()[id].item[i]});
-  std::vector<std::size_t> first; // of each rank
-  const std::vector<Sent_sample> all = ranks.gather(std::move(own), &first);
-  for(std::size_t rank = 0; rank + 1 < first.size(); ++rank) {
-    Shape_sample part = {};
-    for(std::size_t i = first[rank]; rank != ranks.own_items().rank && i < first[rank + 1]; ++i) {
-      part.item[part.size++] = all[i].item;
-      if(i + 1 < first[rank + 1] && all[i + 1].shape == all[i].shape)
-        continue;
-      merge_sample(table.data()[all[i].shape], part);
-      part.size = 0;
-    }
-  }
-  table.write_back();
-}
-
 // The points of least hash of each shape. About one and a half times as many are sorted, so that few shapes get less
 // than a sample has room for.
 template <class Backend>
 Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  Backend& backend = points.backend;
   constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
-  Buffer_of<Backend, std::uint32_t> bound(shapes.size);
-  for_each_shape(backend, shapes, Bound_samples{shapes.counted(), nullptr, expected, bound.data()});
-  const Take_sampled taken = {points.cloud.view(), points.label(), bound.data()};
-  const Sorted_samples<Backend> sorted =
-    sorted_samples(backend, shapes.size, backend.template collect<Keyed_point>(points.cloud.number_of_points(), taken));
+  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes, Has_points{shapes.counted(), 1}, expected);
   Shape_samples<Backend> samples(shapes.size);
-  backend.for_each(shapes.size * Shape_sample::capacity,
-                   Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
-  if constexpr(Ranks<Backend>::are_many)
-    join_samples(backend, points.ranks, samples);
+  points.backend.for_each(shapes.size * Shape_sample::capacity,
+                          Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
   return samples;
 }
 

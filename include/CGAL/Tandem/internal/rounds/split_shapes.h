@@ -27,7 +27,8 @@ struct May_split {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && trials.may_split(shape[id]); }
 };
 
-// The trials of a shape follow each other. A rank makes its own items. By groups of lanes.
+// The trials of a shape follow each other. A rank makes its own items; the others are null, so that the sums of all
+// ranks are the trials of all. By groups of lanes.
 struct Try_splits {
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
@@ -39,33 +40,14 @@ struct Try_splits {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    if(!own.has(i))
-      return;
-    const std::uint32_t s = id[i / Split_trials::starts];
-    const Point_sample sample = {point + range[s].first, range[s].size()};
-    const Split result = trials(shape[s], sample, int(i % Split_trials::starts));
+    Split result = {};
+    if(own.has(i)) {
+      const std::uint32_t s = id[i / Split_trials::starts];
+      const Point_sample sample = {point + range[s].first, range[s].size()};
+      result = trials(shape[s], sample, int(i % Split_trials::starts));
+    }
     Lane_group::single([&] { split[i] = result; });
   }
-};
-
-struct Numbered_split {
-  std::uint64_t number;
-  Split split;
-};
-
-struct Take_split {
-  const Split* split;
-  Own_items own;
-
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return own.has(i); }
-  CGAL_TANDEM_HD Numbered_split take(std::uint32_t i) const { return {i, split[i]}; }
-};
-
-struct Put_split {
-  const Numbered_split* found;
-  Split* split;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { split[found[i].number] = found[i].split; }
 };
 
 // Surfels of one candidate after each other, and what they add.
@@ -348,25 +330,17 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   Backend& backend = points.backend;
   const Split_trials trials(options);
   Found_splits<Backend> found;
-  found.id = backend.compact(shapes.size, May_split{shapes.fitted(), trials});
+  const May_split may_split = {shapes.fitted(), trials};
+  found.id = backend.compact(shapes.size, may_split);
   if(found.id.size() == 0)
     return found;
   Buffer_of<Backend, std::uint32_t>& id = found.id;
-  auto bound = filled_buffer(backend, shapes.size, std::uint32_t(0));
-  backend.for_each(id.size(), Bound_samples{shapes.fitted(), id.data(), Split_trials::sample_size, bound.data()});
-  const Sorted_samples<Backend> sample =
-    sorted_samples(backend, shapes.size,
-                   collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
-                                               Take_sampled{points.cloud.view(), points.label(), bound.data()}));
+  const Sorted_samples<Backend> sample = sorted_samples(points, shapes, may_split, Split_trials::sample_size);
   Buffer_of<Backend, Split> trial(id.size() * Split_trials::starts);
   for_each_by_group(backend, trial.size(),
                     Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), trials,
                                points.ranks.own_items(), trial.data()});
-  if constexpr(Ranks<Backend>::are_many) {
-    const auto all = collect_of_all<Numbered_split>(backend, points.ranks, trial.size(),
-                                                    Take_split{trial.data(), points.ranks.own_items()});
-    backend.for_each(all.size(), Put_split{all.data(), trial.data()});
-  }
+  points.ranks.sum(reinterpret_cast<std::uint64_t*>(trial.data()), trial.size() * sizeof(Split) / 8);
   auto candidate_of = places_of(backend, shapes.size, id);
   Buffer_of<Backend, std::uint8_t> left(id.size());
   const Candidates_view view = {
