@@ -210,7 +210,7 @@ struct Union_rounds {
   Shared_moments* joined; // the sums of those that joined in this round, zero between two
   Fitted_moments* whole;  // the unions, in any order
   std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity
-  std::uint32_t* total;   // the number of rounds, and that of the unions
+  std::uint32_t* total;   // the number of rounds, and that of the places in `whole`
   Own_items own;          // of the pairs, and of the shapes
 
   // Only tests and fits are worth several threads where there are few.

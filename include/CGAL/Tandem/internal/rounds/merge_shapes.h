@@ -26,55 +26,42 @@ struct Stays {
   std::uint32_t id = no_index;
 };
 
-// Three loops over the members of all sets, since each needs all of the one before.
-template <class Backend, class Members>
+// Three loops over all shapes, since each needs all of the one before.
+template <class Backend>
 struct Join_member {
   enum Step { largest, smallest_id, join } step;
   const Shape* shape;
-  Members members;
-  const std::uint32_t* set; // by id: leads to the root of the set
+  const std::uint32_t* set; // leads to the root of the set
   Stays* stays;             // by root
-  std::uint32_t* target;    // by id
+  std::uint32_t* target;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    if(!members.has(std::uint32_t(i)))
-      return;
-    const std::uint32_t id = members.id(std::uint32_t(i));
-    Stays& s = stays[root_of(set, id)];
+    Stays& s = stays[root_of(set, std::uint32_t(id))];
     const std::uint64_t size = ~std::uint64_t(shape[id].moments.count);
     if(step == largest)
       Backend::atomic_min(s.size, size);
     else if(step == smallest_id && size == s.size)
-      Backend::atomic_min(s.id, id);
+      Backend::atomic_min(s.id, std::uint32_t(id));
     else if(step == join)
       target[id] = s.id;
   }
 };
 
-// The targets of members.id(i) for the i in [0, n) with members.has(i); all other shapes stay.
-template <class Backend, class Members>
-Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes, std::size_t n, Members members,
-                              const std::uint32_t* set)
+// The targets of the members of these sets; a shape that is alone stays.
+template <class Backend>
+Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes, const std::uint32_t* set)
 {
-  using Body = Join_member<Backend, Members>;
-  Targets<Backend> target = identity_targets(backend, shapes.size);
+  using Body = Join_member<Backend>;
+  Targets<Backend> target(shapes.size);
   auto stays = filled_buffer(backend, shapes.size, Stays());
   for(const auto step : {Body::largest, Body::smallest_id, Body::join})
-    backend.for_each(n, Body{step, shapes.counted(), members, set, stays.data(), target.data()});
+    for_each_shape(backend, shapes, Body{step, shapes.counted(), set, stays.data(), target.data()});
   return target;
 }
 
 // --- Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes
 // and points. See the manual, "Unions", last paragraph.
-
-// Live shapes with a plane of the relations, as members of sets: see join_members().
-struct Shapes_with_plane {
-  const Shape* shape;
-
-  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return shape[id].is_live() && shape[id].plane_number >= 0; }
-  CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return i; }
-};
 
 // Unites the shapes of a link that have one plane.
 template <class Backend>
@@ -98,18 +85,10 @@ Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& 
 {
   Targets<Backend> set = identity_targets(backend, shapes.size);
   backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.table().data(), links.data(), set.data()});
-  return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.counted()}, set.data());
+  return join_members(backend, shapes, set.data());
 }
 
 // --- The unions of touching shapes, by all ranks. Changes nothing but tables of its own, where the functors run.
-
-// Whether a shape is in a union with others.
-struct Is_member {
-  const Union_root* root;
-  const std::uint32_t* target;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
-};
 
 struct Start_root {
   Union_root* root;
@@ -185,38 +164,29 @@ void run_unions(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, co
     });
 }
 
-// The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
-// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`.
-// `total`: the number of rounds, and that of the unions.
+// The unions along the links. By id: what a shape has joined, in one or more steps up to the root of its union, and the
+// root, with the place of the union in `whole`. `total`: the number of rounds, and that of the places.
 template <class Backend>
 struct Shape_unions {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  Buffer<std::uint32_t> member;
   Buffer<std::uint32_t> target;
   Buffer<Union_root> root;
   Buffer<Fitted_moments> whole;
   Buffer<std::uint32_t> total;
 };
 
-// How unions are judged. samples: of all live shapes; those of unions change.
+// samples: of all live shapes, which have to be fitted; those of unions change. A pair may have several links. The sums
+// of the shapes are zero before and afterwards.
 template <class Backend>
-struct Union_judge {
-  Union_gain gain;
-  Shape_samples<Backend>& samples;
-};
-
-// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
-// afterwards.
-template <class Backend>
-Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
-                                   const Union_judge<Backend>& judge, const Buffer_of<Backend, Link>& links)
+Shape_unions<Backend> unite_shapes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                   const Union_gain& gain, Shape_samples<Backend>& samples,
+                                   const Buffer_of<Backend, Link>& links)
 {
-  Shape_unions<Backend> unions;
-  if(links.size() == 0)
-    return unions;
+  Backend& backend = points.backend;
   const std::size_t n = shapes.size;
+  Shape_unions<Backend> unions;
   unions.target.reset(n);
   unions.root.reset(n);
   unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
@@ -225,21 +195,12 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   unions.total = filled_buffer(backend, 2, std::uint32_t(0));
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
-  run_unions(backend, ranks, (std::max)(n, links.size()),
-             Union_rounds<Backend>{judge.gain, pair.data(), links.size(), n, shapes.fitted(), judge.samples.data(),
+  run_unions(backend, points.ranks, (std::max)(n, links.size()),
+             Union_rounds<Backend>{gain, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
                                    unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
-                                   unions.whole.data(), joins.data(), unions.total.data(), ranks.own_items()});
-  unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
+                                   unions.whole.data(), joins.data(), unions.total.data(), points.ranks.own_items()});
   return unions;
 }
-
-// All members of unions: see join_members().
-struct Members_of_unions {
-  const std::uint32_t* member;
-
-  CGAL_TANDEM_HD bool has(std::uint32_t) const { return true; }
-  CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return member[i]; }
-};
 
 struct Relabel_link {
   const std::uint32_t* target;
@@ -257,15 +218,15 @@ template <class Backend>
 bool merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Buffer_of<Backend, Link>& links)
 {
+  if(links.size() == 0)
+    return false;
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits);
   auto samples = sample_shapes(points, shapes);
-  const Shape_unions<Backend> unions =
-    unite_shapes(backend, points.ranks, shapes, {Union_gain(options), samples}, links);
-  if(unions.member.size() == 0)
+  const auto unions = unite_shapes(points, shapes, Union_gain(options), samples, links);
+  if(to_vector(backend, unions.total).back() == 0)
     return false;
-  const Targets<Backend> target =
-    join_members(backend, shapes, unions.member.size(), Members_of_unions{unions.member.data()}, unions.target.data());
+  const Targets<Backend> target = join_members(backend, shapes, unions.target.data());
   merge_surfels(points, shapes, target);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
   return true;
