@@ -163,7 +163,7 @@ Shape_relations Engine<Backend>::relate_shapes(Buffer_of<Backend, Link>& links)
   merge_by_gain(state_.points, state_.shapes, state_.options, links);
   const Stage_parameters& options = state_.options;
   const bool is_due = (state_.round + 1) % options.regularity_period == 0;
-  return regularize_shapes(state_.points, state_.shapes, options, {is_due, options.minimum_related_size});
+  return regularize_shapes(state_.points, state_.shapes, options, is_due, options.minimum_related_size);
 }
 
 struct Count_cells_with_seeds {

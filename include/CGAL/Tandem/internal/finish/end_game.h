@@ -252,7 +252,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
                                    const Stage_parameters& options, Assignment<Backend>& assign)
 {
   Backend& backend = points.backend;
-  Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
+  Shape_relations relations = regularize_shapes(points, shapes, options, true, 1);
   const auto links = collect_links(points, shapes, Links::all, Phase::end);
   merge_surfels(points, shapes, coplanar_targets(backend, shapes, links));
   for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});

@@ -133,21 +133,16 @@ void apply_relations(Backend& backend, Shape_table<Backend>& shapes, const Shape
   backend.for_each(ids.size(), Apply_relation{shapes.table().data(), ids.data(), regular.data()}, shapes_per_thread);
 }
 
-// What a regularity step looks for.
-struct Regularity_step {
-  bool is_due;               // otherwise it finds no relations
-  std::int64_t minimum_size; // of the shapes that take part
-};
-
+// is_due: otherwise no relations are looked for. minimum_size: of the shapes that take part.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                                  const Stage_parameters& options, const Regularity_step& step)
+                                  const Stage_parameters& options, bool is_due, std::int64_t minimum_size)
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits);
   for_each_shape(backend, shapes, Take_local{shapes.fitted()});
-  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), step.minimum_size});
-  Shape_relations r = find_relations(summarize(backend, shapes, ids), options.regularity, step.is_due);
+  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum_size});
+  Shape_relations r = find_relations(summarize(backend, shapes, ids), options.regularity, is_due);
   apply_relations(backend, shapes, r);
   return r;
 }
