@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(points)
     check_lists(to_vector(backend, points.state(), f.state.size()), expected.state, name + ": states");
     const std::int64_t minimum = std::int64_t(f.label.size() / 30);
     expected.drop(minimum);
-    drop_shapes(points, shapes, [=](const Shape& s) { return s.moments.count < minimum; });
+    drop_shapes(points, shapes, [=](const Shape& s, std::size_t) { return s.moments.count < minimum; });
     check_cloud(backend, points, shapes, expected, name + ": drop");
   });
 }

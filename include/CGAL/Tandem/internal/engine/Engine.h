@@ -150,7 +150,7 @@ std::size_t Engine<Backend>::growth_of_large_shapes()
 struct Is_fragment {
   std::int64_t minimum_size;
 
-  CGAL_TANDEM_HD bool operator()(const Shape& shape) const
+  CGAL_TANDEM_HD bool operator()(const Shape& shape, std::size_t) const
   {
     return !shape.is_active && shape.age > 1 && shape.moments.count < minimum_size;
   }

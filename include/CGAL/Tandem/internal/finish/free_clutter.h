@@ -83,14 +83,10 @@ private:
   }
 };
 
-struct Drop_clutter {
+struct Is_clutter {
   const std::int64_t* balance;
-  std::uint32_t* target;
 
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    target[id] = balance[id] < 0 ? free_label : std::uint32_t(id);
-  }
+  CGAL_TANDEM_HD bool operator()(const Shape&, std::size_t id) const { return balance[id] < 0; }
 };
 
 // Dissolves the shapes that are clutter, all at once; their surfels are free again. Planes have to be rounded in the
@@ -104,9 +100,7 @@ void free_clutter(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
                                              Sum_balances<Backend>{points.cloud.view(), points.parts(), points.label(),
                                                                    shapes.plane.data(), balance.data(), tolerance});
   points.ranks.sum(balance.data(), balance.size());
-  Targets<Backend> target(shapes.size);
-  backend.for_each(shapes.size, Drop_clutter{balance.data(), target.data()});
-  merge_surfels(points, shapes, target);
+  drop_shapes(points, shapes, Is_clutter{balance.data()});
 }
 
 } // namespace CGAL::Tandem::internal

@@ -157,11 +157,11 @@ struct Drop_shape {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    target[id] = shape[id].is_live() && is_dropped(shape[id]) ? free_label : std::uint32_t(id);
+    target[id] = shape[id].is_live() && is_dropped(shape[id], id) ? free_label : std::uint32_t(id);
   }
 };
 
-// The surfels of the shapes with is_dropped(shape) are free again.
+// The surfels of the shapes with is_dropped(shape, id) are free again.
 template <class Backend, class Predicate>
 void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_dropped)
 {
