@@ -8,7 +8,6 @@
 
 #include <CGAL/Tandem/internal/result/measure_planes.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL::Tandem::internal {
@@ -30,9 +29,7 @@ Plane_uncertainty measured_uncertainty(const Members& members, const Position& p
   };
   Scatter s = {double(members.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
   for_each_point([&](const Vector& v) { s.centroid = add_scaled(s.centroid, 1 / s.count, v); });
-  std::array<double, 6> sum = {0, 0, 0, 0, 0, 0};
-  for_each_point([&](const Vector& v) { add_outer(1, v - s.centroid, sum); });
-  s.matrix = {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
+  for_each_point([&](const Vector& v) { s.matrix = add_square(s.matrix, 1, v - s.centroid); });
   return to_caller(plane_uncertainty(s, to_grid(plane, grid), parameters.maximum_distance / step), grid);
 }
 

@@ -18,15 +18,6 @@
 
 namespace CGAL::Tandem::internal {
 
-// Adds s vv'.
-inline void add_outer(double s, const Vector& v, std::array<double, 6>& m)
-{
-  const double c[3] = {v.x, v.y, v.z};
-  for(int i = 0, k = 0; i < 3; ++i)
-    for(int j = i; j < 3; ++j, ++k)
-      m[k] = std::fma(s * c[i], c[j], m[k]);
-}
-
 // Two axes of the plane, orthogonal to each other and to the unit normal n.
 struct Plane_axes {
   Vector a, b;
@@ -66,11 +57,13 @@ inline Plane_uncertainty plane_uncertainty(const Scatter& s, const Regular_plane
   const Eigen_system e = eigen_system({aa, ab, 0, bb, 0, -1 - aa - bb});
   const double rounding = tuning::exactness::squared_distance_margin * e.value[2];
   double largest = 0;
+  Symmetric_matrix m = {};
   for(int i = 1; i < 3; ++i) {
     const double variance = normal_variance(e.value[i], s.count, noise2, rounding);
-    add_outer(variance, add_scaled(e.vector[i].x * axes.a, e.vector[i].y, axes.b), u.normal_covariance);
+    m = add_square(m, variance, add_scaled(e.vector[i].x * axes.a, e.vector[i].y, axes.b));
     largest = (std::max)(largest, variance);
   }
+  u.normal_covariance = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
   u.angle_deg = std::sqrt(largest) * (180 / 3.14159265358979323846);
   return u;
 }
