@@ -67,10 +67,12 @@ BOOST_AUTO_TEST_CASE(components)
       for(const auto& [root, points_of_root] : size)
         if(points_of_root >= 3)
           large.emplace(-int(points_of_root), root);
-      Border_components<decltype(backend)> borders(backend, points.ranks);
+      Stage_parameters options = Stage_parameters();
+      options.minimum_region_size = 3;
+      options.growth.cell_size = cell_size;
       const Labels_of_points labels = {points.cloud.surfels(), f.label.data(), nullptr};
       std::vector<std::pair<int, std::uint32_t>> got;
-      for(const Component& c : large_components(points, 3, labels, component.data(), borders))
+      for(const Component& c : large_components(points, options, labels, component.data()))
         got.emplace_back(-int(c.size), c.root);
       CHECK_AT(std::equal(got.begin(), got.end(), large.begin(), large.end()), name + ": large components");
       std::set<std::uint32_t> with_id;
@@ -85,9 +87,6 @@ BOOST_AUTO_TEST_CASE(components)
       set_labels(points, f.label);
       auto shapes = make_table(backend, f.shapes_of_labels(f.plane.size()));
       shapes.plane = to_buffer(backend, f.plane);
-      Stage_parameters options = Stage_parameters();
-      options.minimum_region_size = 3;
-      options.growth.cell_size = cell_size;
       separate_components(points, shapes, options);
       check_lists(to_vector(backend, points.label(), n), separate, name + ": separate components");
       check_equal(shapes.size, number, name + ": number of shapes");

@@ -21,99 +21,6 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Which components become shapes: those with at least the minimum number of points. Also their order in the result.
-// Reads labels and components, changes nothing.
-
-// Adds the labeled points of each cell to their components: size[r] for the root r. Counts are gathered in the cell
-// first, because all surfels of a face have the same root. Integer sums, so the order does not matter.
-template <class Backend>
-struct Count_components {
-  const Range* cells;
-  Labels_of_points labels;
-  const std::uint32_t* component;
-  std::uint32_t* size;
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
-  {
-    const Range cell = cells[c];
-    scratch.clear(block);
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      std::uint32_t points = 0;
-      labels.for_each_point(cell.first + at, [&](std::uint32_t) { ++points; });
-      if(points > 0)
-        scratch.template add<Backend>(block, component[cell.first + at], points, size);
-    });
-    scratch.template flush<Backend>(block, size);
-  }
-};
-
-// The roots of the components that are large enough. A free surfel is a root of its own, and excluded by its label.
-struct Is_large_root {
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  const std::uint32_t* size;
-  std::uint64_t minimum;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
-  {
-    return component[i] == i && label[i] < first_mark && size[i] >= minimum;
-  }
-};
-
-// Packs what the host needs of each large component, so that one copy is enough.
-struct Gather_components {
-  const std::uint32_t* root;
-  const std::uint32_t* label;
-  const std::uint32_t* size;
-  Component* component;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
-};
-
-// Writes the entry of each component to its root, where its surfels find it.
-struct Number_roots {
-  const Component* component;
-  std::uint32_t* number; // by root
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    if(component[i].root != no_index)
-      number[component[i].root] = component[i].entry;
-  }
-};
-
-// By root: the number of labeled points of its component; 0 for all other entries.
-template <class Backend>
-Buffer_of<Backend, std::uint32_t> component_sizes(Labeled_cloud<Backend>& points, const Labels_of_points& labels,
-                                                  const std::uint32_t* component, Border_components<Backend>& borders)
-{
-  auto size = filled_buffer(points.backend, points.cloud.number_of_surfels(), std::uint32_t(0));
-  points.backend.template for_each_cell<Count_scratch>(
-    points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
-  borders.sum_sizes(size.size(), size.data());
-  return size;
-}
-
-// By falling number of points, then by position of the root: they are found in that order.
-template <class Backend>
-std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
-                                        const Labels_of_points& labels, const std::uint32_t* component,
-                                        Border_components<Backend>& borders)
-{
-  Backend& backend = points.backend;
-  const std::size_t n = points.cloud.number_of_surfels();
-  const auto size = component_sizes(points, labels, component, borders);
-  const auto root =
-    backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(minimum_size)});
-  Buffer_of<Backend, Component> buffer(root.size());
-  backend.for_each(root.size(), Gather_components{root.data(), labels.label, size.data(), buffer.data()});
-  std::vector<Component> components = borders.join_large(to_vector(backend, buffer));
-  std::stable_sort(components.begin(), components.end(),
-                   [](const Component& a, const Component& b) { return a.size > b.size; });
-  return components;
-}
-
 // --- The components themselves.
 
 // The entries of a union-find in the scratch of one cell, which only the lanes of its block change. Indices are
@@ -278,6 +185,103 @@ Border_components<Backend> find_components(Labeled_cloud<Backend>& points, std::
   Border_components<Backend> borders(backend, points.ranks);
   borders.find(adjacency.cloud, label, component);
   return borders;
+}
+
+// --- Which components become shapes: those with at least the minimum number of points. Also their order in the result.
+// Reads labels and components, changes nothing.
+
+// Adds the labeled points of each cell to their components: size[r] for the root r. Counts are gathered in the cell
+// first, because all surfels of a face have the same root. Integer sums, so the order does not matter.
+template <class Backend>
+struct Count_components {
+  const Range* cells;
+  Labels_of_points labels;
+  const std::uint32_t* component;
+  std::uint32_t* size;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    scratch.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      std::uint32_t points = 0;
+      labels.for_each_point(cell.first + at, [&](std::uint32_t) { ++points; });
+      if(points > 0)
+        scratch.template add<Backend>(block, component[cell.first + at], points, size);
+    });
+    scratch.template flush<Backend>(block, size);
+  }
+};
+
+// The roots of the components that are large enough. A free surfel is a root of its own, and excluded by its label.
+struct Is_large_root {
+  const std::uint32_t* label;
+  const std::uint32_t* component;
+  const std::uint32_t* size;
+  std::uint64_t minimum;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return component[i] == i && label[i] < first_mark && size[i] >= minimum;
+  }
+};
+
+// Packs what the host needs of each large component, so that one copy is enough.
+struct Gather_components {
+  const std::uint32_t* root;
+  const std::uint32_t* label;
+  const std::uint32_t* size;
+  Component* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
+};
+
+static_assert(free_label == no_index, "what has no number is free");
+
+// A surfel gets the number that its key has in a table, or becomes free. Free surfels stay so.
+struct Take_number {
+  const std::uint32_t* label;
+  const std::uint32_t* key;    // by surfel
+  const std::uint32_t* number; // by key; no_index if there is none
+  std::uint32_t* chosen;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { chosen[i] = label[i] < first_mark ? number[key[i]] : label[i]; }
+};
+
+// Writes the entry of each component to its root, where its surfels find it.
+struct Number_roots {
+  const Component* component;
+  std::uint32_t* number; // by root
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(component[i].root != no_index)
+      number[component[i].root] = component[i].entry;
+  }
+};
+
+// The components of the surfels with these labels that have enough points, by falling number of points, then by
+// position of the root: they are found in that order. component: see find_components().
+template <class Backend>
+std::vector<Component> large_components(Labeled_cloud<Backend>& points, const Stage_parameters& options,
+                                        const Labels_of_points& labels, std::uint32_t* component)
+{
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.number_of_surfels();
+  auto borders = find_components(points, options.growth.cell_size, labels.label, component);
+  auto size = filled_buffer(backend, n, std::uint32_t(0));
+  backend.template for_each_cell<Count_scratch>(
+    points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
+  borders.sum_sizes(n, size.data());
+  const auto root =
+    backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)});
+  Buffer_of<Backend, Component> buffer(root.size());
+  backend.for_each(root.size(), Gather_components{root.data(), labels.label, size.data(), buffer.data()});
+  std::vector<Component> components = borders.join_large(to_vector(backend, buffer));
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.size > b.size; });
+  return components;
 }
 
 } // namespace CGAL::Tandem::internal

@@ -30,20 +30,6 @@ namespace CGAL::Tandem::internal {
 // --- Connected components become shapes: the largest one of a shape keeps its id. Changes labels and the table of
 // shapes. See the manual, "Components".
 
-// A surfel gets the id of its component. Surfels of small components become free.
-struct Choose_component {
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  const std::uint32_t* number; // by root; no_index of small ones
-  std::uint32_t* chosen;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const std::uint32_t s = label[i] < first_mark ? number[component[i]] : label[i];
-    chosen[i] = s == no_index ? free_label : s;
-  }
-};
-
 // Afterwards each shape is a component of at least the minimum size.
 template <class Backend>
 void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
@@ -51,9 +37,8 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
   Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts()), chosen(n);
-  auto borders = find_components(points, options.growth.cell_size, points.label(), component.data());
-  std::vector<Component> components = large_components(
-    points, options.minimum_region_size, {points.cloud.surfels(), points.label(), nullptr}, component.data(), borders);
+  std::vector<Component> components =
+    large_components(points, options, {points.cloud.surfels(), points.label(), nullptr}, component.data());
   std::vector<char> has_id(shapes.size, 0);
   std::size_t next = shapes.size;
   for(Component& c : components)
@@ -62,7 +47,7 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   auto number = filled_buffer(backend, n, no_index);
   const auto named = to_buffer(backend, components);
   backend.for_each(components.size(), Number_roots{named.data(), number.data()});
-  backend.for_each(n, Choose_component{points.label(), component.data(), number.data(), chosen.data()});
+  backend.for_each(n, Take_number{points.label(), component.data(), number.data(), chosen.data()});
   take_chosen(points, shapes, chosen.data());
 }
 

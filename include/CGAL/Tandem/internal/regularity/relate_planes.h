@@ -141,12 +141,9 @@ inline std::vector<char> find_unrelated(const Relations& r, const Shape_fits& fi
 inline std::vector<Coefficients> related_planes(const Relations& r, const std::vector<Coefficients>& given,
                                                 const std::vector<char>& is_unrelated, const Grid& grid)
 {
-  std::vector<Coefficients> common;
-  for(const Regular_plane& p : r.planes)
-    common.push_back(to_caller(p, grid));
   std::vector<Coefficients> result;
   for(std::size_t s = 0; s < given.size(); ++s) {
-    Coefficients c = is_unrelated[s] ? given[s] : common[r.plane_of[s]];
+    Coefficients c = is_unrelated[s] ? given[s] : to_caller(r.planes[r.plane_of[s]], grid);
     if(dot({c[0], c[1], c[2]}, {given[s][0], given[s][1], given[s][2]}) < 0)
       c = {-c[0], -c[1], -c[2], -c[3]};
     result.push_back(c);

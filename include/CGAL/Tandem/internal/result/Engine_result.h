@@ -43,14 +43,6 @@ struct Engine_result {
   std::size_t peak_bytes = 0;
 };
 
-inline std::vector<Coefficients> planes_of(const Engine_result& result)
-{
-  std::vector<Coefficients> planes;
-  for(const Engine_shape& shape : result.shapes)
-    planes.push_back(shape.plane);
-  return planes;
-}
-
 } // namespace CGAL::Tandem::internal
 
 #endif // CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H

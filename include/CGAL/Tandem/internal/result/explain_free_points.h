@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 
@@ -79,13 +80,13 @@ private:
   }
 };
 
-// The reasons of the points of all ranks; planes: of the shapes, in the caller's coordinates.
+// The reasons of the points of all ranks; result: the shapes.
 template <class Backend>
 Free_points explain_free_points(Labeled_cloud<Backend>& points, const Final_shapes& shapes,
-                                const std::vector<Coefficients>& planes, const Grid& grid, const Tolerance& tolerance)
+                                const std::vector<Engine_shape>& result, const Grid& grid, const Tolerance& tolerance)
 {
   const auto plane = points.backend.template make_buffer<Plane>(
-    planes.size(), [&](std::size_t s) { return rounded(to_grid(planes[s], grid)); });
+    result.size(), [&](std::size_t s) { return rounded(to_grid(result[s].plane, grid)); });
   const auto own = points.backend.template sum<free_reason::size>(
     points.cloud.number_of_points(), Explain_free_points{points.cloud.view(), shapes, plane.data(), tolerance});
   const auto total = [&](free_reason::Reason r) { return points.ranks.total(std::size_t(own[r])); };

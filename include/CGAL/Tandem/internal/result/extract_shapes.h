@@ -22,37 +22,6 @@
 
 namespace CGAL::Tandem::internal {
 
-// The planes of the relations in the caller's coordinates, by plane of the relations.
-inline std::vector<Coefficients> caller_planes(const Relations& relations, const Grid& grid)
-{
-  std::vector<Coefficients> planes;
-  for(const Regular_plane& p : relations.planes)
-    planes.push_back(to_caller(p, grid));
-  return planes;
-}
-
-// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their surfels are
-// free.
-struct Map_to_entries {
-  const std::uint32_t* source;
-  const std::uint32_t* entry_of; // by shape
-  std::uint32_t* label;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const std::uint32_t entry = source[i] < first_mark ? entry_of[source[i]] : no_index;
-    label[i] = entry != no_index ? entry : free_label;
-  }
-};
-
-// Puts the number of its shape in place of the root of a surfel; no_index if no component of the result has the root.
-struct Number_points {
-  const std::uint32_t* number; // by root
-  std::uint32_t* component;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = number[component[i]]; }
-};
-
 // One extraction: the steps in the order of extract(), with the tables that they share.
 template <class Backend>
 class Shape_extractor {
@@ -79,12 +48,13 @@ public:
   }
 
 private:
-  // Fills label_; from here on no step reads the labels of the loop.
+  // Fills label_; from here on no step reads the labels of the loop. Shapes without an entry are too small for a
+  // result; their surfels are free.
   void take_entries()
   {
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
-    backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
+    backend_.for_each(label_.size(), Take_number{points_.label(), points_.label(), entry_of.data(), label_.data()});
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -92,9 +62,8 @@ private:
   void check_points()
   {
     const Relations& relations = relations_.relations;
-    const std::vector<Coefficients> planes = caller_planes(relations, in_.grid);
-    for(std::size_t i = 0; i < relations_.id.size(); ++i)
-      coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
+    for(const int p : relations.plane_of)
+      coefficients_.push_back(to_caller(relations.planes[std::size_t(p)], in_.grid));
     plane_ = backend_.template make_buffer<Plane>(relations_.id.size(), [&](std::size_t i) {
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
@@ -113,22 +82,19 @@ private:
   {
     const std::size_t n = points_.cloud.number_of_surfels();
     Buffer<std::uint32_t> component(label_.size());
-    auto borders = find_components(points_, parameters_.growth.cell_size, label_.data(), component.data());
-    std::vector<Component> components =
-      large_components(points_, parameters_.minimum_region_size, labels(), component.data(), borders);
+    std::vector<Component> components = large_components(points_, parameters_, labels(), component.data());
     number_groups(components, result);
     for(std::size_t i = 0; i < components.size(); ++i)
       components[i].entry = std::uint32_t(i);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
     backend_.for_each(components.size(), Number_roots{named.data(), number.data()});
-    backend_.for_each(n, Number_points{number.data(), component.data()});
+    backend_.for_each(n, Gather_items<std::uint32_t>{number.data(), component.data(), component.data()});
     number.release();
     points_.ranks.refresh(component.data(), Rings::inner);
     measure_shapes(component.data(), result);
     const Final_shapes shapes = {labels(), component.data()};
-    result.free_points =
-      explain_free_points(points_, shapes, planes_of(result), in_.grid, parameters_.growth.tolerance);
+    result.free_points = explain_free_points(points_, shapes, result.shapes, in_.grid, parameters_.growth.tolerance);
     measure_planes(points_, shapes, in_.grid, parameters_.exact.maximum_distance, result.shapes);
     auto shape_of = filled_buffer(backend_, points_.cloud.number_of_points(), std::int32_t(-1));
     backend_.for_each(n, Write_shapes{labels(), component.data(), order(), shape_of.data()});
