@@ -8,57 +8,15 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_BORDER_COMPONENTS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
+#include <array>
+#include <map>
 #include <vector>
 
 namespace CGAL::Tandem::internal {
-
-// A union-find of surfels of any rank, by their numbers. The smallest one of a set is its root.
-class Surfel_sets {
-public:
-  struct Edge {
-    std::uint64_t a, b;
-
-    bool operator<(const Edge& e) const { return std::tie(a, b) < std::tie(e.a, e.b); }
-    bool operator==(const Edge& e) const { return a == e.a && b == e.b; }
-  };
-
-  explicit Surfel_sets(const std::vector<Edge>& edges)
-  {
-    for(const Edge& e : edges) {
-      surfel_.push_back(e.a);
-      surfel_.push_back(e.b);
-    }
-    std::sort(surfel_.begin(), surfel_.end());
-    surfel_.erase(std::unique(surfel_.begin(), surfel_.end()), surfel_.end());
-    for(std::size_t i = 0; i < surfel_.size(); ++i)
-      parent_.push_back(std::uint32_t(i));
-    for(const Edge& e : edges)
-      sets().unite(place(e.a), place(e.b));
-  }
-
-  std::size_t size() const { return surfel_.size(); }
-  std::uint64_t surfel(std::size_t i) const { return surfel_[i]; }
-  std::uint64_t root_surfel(std::size_t i) { return surfel_[sets().root(std::uint32_t(i))]; }
-
-private:
-  std::uint32_t place(std::uint64_t surfel) const
-  {
-    return std::uint32_t(std::lower_bound(surfel_.begin(), surfel_.end(), surfel) - surfel_.begin());
-  }
-
-  Union_find<Shared_parents<Sequential_backend>> sets() { return {{parent_.data()}}; }
-
-  std::vector<std::uint64_t> surfel_; // ascending
-  std::vector<std::uint32_t> parent_;
-};
 
 // A component of the surfels of one label: the position of its root, no_index if it has no surfel on this rank; the
 // label, in which its number may follow; its number of points.
@@ -81,8 +39,7 @@ public:
       const std::size_t n = cloud.size + ranks_.ghosts(Rings::inner);
       const Host_view<Backend, const std::uint32_t> labels(backend_, label, n);
       Host_view<Backend, std::uint32_t> roots(backend_, component, n);
-      const std::vector<Surfel_sets::Edge> edges = joined_components(cloud.size, n, labels.data(), roots.data());
-      take_sets(Surfel_sets(ranks_.gather(edges)), n, roots.data());
+      join(ranks_.gather(joined_components(cloud.size, n, labels.data(), roots.data())), n, roots.data());
       roots.write_back();
     }
   }
@@ -94,16 +51,14 @@ public:
     if constexpr(Ranks<Backend>::are_many) {
       Host_view<Backend, std::uint32_t> sizes(backend_, size, n);
       std::vector<Part> parts;
-      for(const Border_component& s : borders_)
-        parts.push_back({s.global_root, sizes.data()[s.root]});
-      parts = ranks_.gather(parts);
-      std::sort(parts.begin(), parts.end());
-      for(Border_component& s : borders_) {
-        s.size = 0;
-        for(auto part = std::lower_bound(parts.begin(), parts.end(), Part{s.global_root, 0});
-            part != parts.end() && part->global_root == s.global_root; ++part)
-          s.size += part->size;
-        sizes.data()[s.root] = std::uint32_t((std::min)(s.size, std::uint64_t(0xffffffffu)));
+      for(const auto& [root, border] : borders_)
+        parts.push_back({border.global_root, sizes.data()[root]});
+      std::map<std::uint64_t, std::uint64_t> total; // by global root
+      for(const Part& part : ranks_.gather(parts))
+        total[part.global_root] += part.size;
+      for(auto& [root, border] : borders_) {
+        border.size = total[border.global_root];
+        sizes.data()[root] = std::uint32_t((std::min)(border.size, std::uint64_t(0xffffffffu)));
       }
       sizes.write_back();
     }
@@ -112,8 +67,8 @@ public:
   // The number of the smallest surfel of the component with this root on this rank.
   std::uint64_t global_root(std::uint32_t root) const
   {
-    const Border_component* const border = at(root);
-    return border != nullptr ? border->global_root : ranks_.number(root);
+    const auto border = borders_.find(root);
+    return border != borders_.end() ? border->second.global_root : ranks_.number(root);
   }
 
   // own: large components with surfels on this rank, by root. Returns those of all ranks, in the order of their global
@@ -122,28 +77,27 @@ public:
   {
     if constexpr(!Ranks<Backend>::are_many)
       return own;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> root_of; // by global root
-    std::vector<Large> reported;                                  // by the rank of the global root
+    std::map<std::uint64_t, std::uint32_t> root_of; // by global root
+    std::vector<Large> reported;                    // by the rank of the global root
     for(const Component& c : own) {
-      const Border_component* const border = at(c.root);
+      const auto border = borders_.find(c.root);
       const std::uint64_t global = global_root(c.root);
-      root_of.emplace_back(global, c.root);
+      root_of.emplace(global, c.root);
       if(is_own(global))
-        reported.push_back({global, border != nullptr ? border->size : c.size, c.entry});
+        reported.push_back({global, border != borders_.end() ? border->second.size : c.size, c.entry});
     }
-    std::sort(root_of.begin(), root_of.end());
     std::vector<Component> all;
     for(const Large& l : ranks_.gather(reported)) {
-      const auto it = std::lower_bound(root_of.begin(), root_of.end(), std::make_pair(l.global_root, std::uint32_t(0)));
-      const bool is_here = it != root_of.end() && it->first == l.global_root;
-      all.push_back({is_here ? it->second : no_index, std::uint32_t(l.entry), l.size});
+      const auto here = root_of.find(l.global_root);
+      all.push_back({here != root_of.end() ? here->second : no_index, std::uint32_t(l.entry), l.size});
     }
     return all;
   }
 
 private:
+  using Edge = std::array<std::uint64_t, 2>; // numbers of surfels
+
   struct Border_component {
-    std::uint32_t root;        // the smallest position on this rank
     std::uint64_t global_root; // the number of the smallest surfel of all ranks
     std::uint64_t size;        // of the whole component, after sum_sizes()
   };
@@ -151,8 +105,6 @@ private:
   // The surfels of a component on one rank.
   struct Part {
     std::uint64_t global_root, size;
-
-    bool operator<(const Part& p) const { return global_root < p.global_root; }
   };
 
   struct Large {
@@ -166,22 +118,15 @@ private:
 
   bool is_own(std::uint64_t number) const { return number >> 32 == ranks_.own_items().rank; }
 
-  const Border_component* at(std::uint32_t root) const
-  {
-    const auto it = std::lower_bound(borders_.begin(), borders_.end(), root,
-                                     [](const Border_component& s, std::uint32_t r) { return s.root < r; });
-    return it != borders_.end() && it->root == root ? &*it : nullptr;
-  }
-
   // The pairs of components that share a ghost. The first ghost is at `first`.
-  std::vector<Surfel_sets::Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
-                                                   const std::uint32_t* component) const
+  std::vector<Edge> joined_components(std::size_t first, std::size_t n, const std::uint32_t* label,
+                                      const std::uint32_t* component) const
   {
     std::vector<Joined> joined;
     for(std::size_t g = first; g < n; ++g)
       if(label[g] < first_mark)
         joined.push_back({ranks_.number(component[g]), g});
-    std::vector<Surfel_sets::Edge> edges;
+    std::vector<Edge> edges;
     for(const Joined& j : ranks_.to_owners(joined))
       edges.push_back({j.component, ranks_.number(component[j.index])});
     std::sort(edges.begin(), edges.end());
@@ -189,34 +134,40 @@ private:
     return edges;
   }
 
-  void take_sets(Surfel_sets sets, std::size_t n, std::uint32_t* component)
+  // A union-find of the surfels of the edges, of all ranks, where the smallest one of a set is its root.
+  void join(const std::vector<Edge>& edges, std::size_t n, std::uint32_t* component)
   {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> roots; // global root, and a root of this rank
-    for(std::size_t i = 0; i < sets.size(); ++i) {
-      const std::uint32_t index = std::uint32_t(sets.surfel(i));
-      if(is_own(sets.surfel(i)) && component[index] == index)
-        roots.emplace_back(sets.root_surfel(i), index);
+    std::map<std::uint64_t, std::uint64_t> parent;
+    const auto root_of = [&](std::uint64_t surfel) {
+      std::uint64_t root = parent.emplace(surfel, surfel).first->second;
+      while(parent[root] != root)
+        root = parent[root];
+      return parent[surfel] = root;
+    };
+    for(const auto& [a, b] : edges) {
+      const auto [first, second] = std::minmax({root_of(a), root_of(b)});
+      parent[second] = first;
     }
-    std::sort(roots.begin(), roots.end());
     borders_.clear();
+    std::map<std::uint64_t, std::uint32_t> first_of; // by global root, the smallest root of this rank
     bool has_joined = false;
-    for(std::size_t i = 0; i < roots.size(); ++i) {
-      if(i == 0 || roots[i].first != roots[i - 1].first)
-        borders_.push_back({roots[i].second, roots[i].first, 0});
-      else {
-        component[roots[i].second] = borders_.back().root;
-        has_joined = true;
-      }
+    for(const auto& entry : parent) {
+      const std::uint64_t surfel = entry.first;
+      const std::uint32_t index = std::uint32_t(surfel);
+      if(!is_own(surfel) || component[index] != index)
+        continue;
+      const std::uint64_t global = root_of(surfel);
+      component[index] = first_of.emplace(global, index).first->second;
+      borders_.emplace(component[index], Border_component{global, 0});
+      has_joined = has_joined || component[index] != index;
     }
     for(std::size_t i = 0; has_joined && i < n; ++i)
       component[i] = component[component[i]];
-    std::sort(borders_.begin(), borders_.end(),
-              [](const Border_component& a, const Border_component& b) { return a.root < b.root; });
   }
 
   Backend& backend_;
   const Ranks<Backend>& ranks_;
-  std::vector<Border_component> borders_; // by root
+  std::map<std::uint32_t, Border_component> borders_; // by root: its smallest position on this rank
 };
 
 } // namespace CGAL::Tandem::internal
