@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(work)
     Great_circle_index index;
     std::size_t count = 0;
     for(const Vector& d : make(random, n)) {
-      index.search(Right_angle_region(d), [&](int) { ++count; });
+      index.search(Great_circle(d), [&](int) { ++count; });
       index.add(d, 0);
     }
     const double per_root = double(count) / (n * std::sqrt(double(n)));

@@ -64,11 +64,10 @@ private:
   std::vector<int> candidates() const
   {
     std::vector<int> result;
-    for(std::size_t g = 0; g < groups.size(); ++g)
+    for(int g : by_weight(groups))
       if(!groups[g].is_given && largest_sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
          Axis_angle(groups[g].direction, axis).sine > largest_sine)
-        result.push_back(int(g));
-    std::sort(result.begin(), result.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
+        result.push_back(g);
     return result;
   }
 
@@ -126,7 +125,7 @@ private:
   {
     const Vector n = groups[t.group].direction;
     bool is_free = true;
-    circles.search(Right_angle_region(n), [&](int h) {
+    circles.search(Great_circle(n), [&](int h) {
       const Vector& d = groups[h].direction;
       if(!are_exactly_orthogonal(n, d))
         return;

@@ -31,17 +31,17 @@ struct Direction_cell {
   double u, v, half_width; // center, and half of the width
 };
 
-// The great circle of the directions orthogonal to the unit axis (x, y, z).
+// The great circle of the directions orthogonal to a unit axis. As a region, those that may be exactly orthogonal to it.
 class Great_circle {
 public:
-  Great_circle(double x, double y, double z) : n{x, y, z, x, y}
+  explicit Great_circle(const Vector& axis) : n{axis.x, axis.y, axis.z, axis.x, axis.y}
   {
     for(int face = 0; face < 3; ++face)
       slope[face] = std::fabs(n[face + 1]) + std::fabs(n[face + 2]);
   }
 
   // Whether it may pass through the cell.
-  bool meets(const Direction_cell& cell) const { return !(distance(cell) > 0); }
+  bool meets(const Direction_cell& cell, double) const { return !(distance(cell) > 0); }
 
   // At most the squared dot product of the axis and any unit direction of the cell.
   double least_squared_dot(const Direction_cell& cell) const
@@ -69,8 +69,6 @@ private:
   std::array<double, 5> n; // so that the coordinates can be taken in turn
   double slope[3];         // by face: how much the dot product changes within a cell
 };
-
-inline Great_circle great_circle(const Vector& axis) { return {axis.x, axis.y, axis.z}; }
 
 // Directions are numbered in the order in which they were added. Each has a value of at least 0. A cell knows the
 // largest value of its directions, or a larger one. A region decides what is visited:
@@ -179,17 +177,6 @@ private:
 
 // --- Which of many directions are exactly orthogonal, without a look at all pairs.
 
-// The directions that may be exactly orthogonal to one.
-class Right_angle_region {
-public:
-  explicit Right_angle_region(const Vector& direction) : circle(great_circle(direction)) {}
-
-  bool meets(const Direction_cell& cell, double) const { return circle.meets(cell); }
-
-private:
-  Great_circle circle;
-};
-
 // The same as are_orthogonal(). Plain products decide nearly all pairs: without FMA in the processor, fma() is slow.
 inline bool are_exactly_orthogonal(const Vector& a, const Vector& b)
 {
@@ -208,7 +195,7 @@ inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vecto
   for(std::size_t j = 0; j < directions.size() && pairs.size() <= most; ++j) {
     if(!(dot(directions[j], directions[j]) > 0))
       continue;
-    index.search(Right_angle_region(directions[j]), [&](int k) {
+    index.search(Great_circle(directions[j]), [&](int k) {
       if(are_exactly_orthogonal(directions[added[k]], directions[j]))
         pairs.push_back({added[k], int(j)});
     });

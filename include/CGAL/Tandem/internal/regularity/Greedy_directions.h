@@ -20,8 +20,8 @@ namespace CGAL::Tandem::internal {
 class Partner_region {
 public:
   Partner_region(const Direction_group& group, double sine, double price)
-    : right_angles_(great_circle(group.fitted)), cheap_(great_circle(group.eigen.vector[0])),
-      gap_(group.eigen.value[1] - group.eigen.value[0]), squared_sine_(sine * sine), price_(price)
+    : right_angles_(group.fitted), cheap_(group.eigen.vector[0]), gap_(group.eigen.value[1] - group.eigen.value[0]),
+      squared_sine_(sine * sine), price_(price)
   {}
 
   static double value_of(int placed) { return 1 / (1 + double(placed)); }
