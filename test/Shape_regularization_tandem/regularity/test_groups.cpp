@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(coplanar_groups)
     for(int i = 0; i < 100; ++i) {
       const double z = range * random.uniform(), count = double(100 + random.below(20) * random.below(100));
       shapes.push_back(make_shape({{0, 0, 1}, {0, 0, z}, 9 * epsilon, 9 * epsilon, .2 * epsilon, count}));
-      plane.push_back(through_centroid(shapes.back(), {0, 0, 1}));
+      plane.push_back(plane_through({0, 0, 1}, shapes.back().scatter.centroid));
     }
     const Regularity_parameters o = random_options(random);
     std::vector<int> group_of(shapes.size(), -1);

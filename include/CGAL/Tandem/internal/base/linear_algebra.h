@@ -53,6 +53,13 @@ CGAL_TANDEM_HD inline Vector unit(const Vector& a)
   return l > 0 ? Vector{a.x / l, a.y / l, a.z / l} : a;
 }
 
+// The axis of coordinates that is farthest from a direction, the first one of equal ones.
+inline Vector farthest_axis(const Vector& n)
+{
+  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  return x <= y && x <= z ? Vector{1, 0, 0} : y <= z ? Vector{0, 1, 0} : Vector{0, 0, 1};
+}
+
 // Whether two unit normals are orthogonal: the one definition, in the engine and in the result. See the manual,
 // "Directions".
 CGAL_TANDEM_HD inline bool are_orthogonal(const Vector& a, const Vector& b)

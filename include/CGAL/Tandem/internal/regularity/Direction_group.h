@@ -45,15 +45,13 @@ inline Vector orthogonal_to_both(const Vector& a, const Vector& b)
 }
 
 // An orthonormal basis of the plane orthogonal to the unit vector x. It begins with the axis farthest from x, where
-// rounding is smallest; the first of equal ones.
+// rounding is smallest.
 struct Plane_basis {
   Vector u, v;
 
   explicit Plane_basis(const Vector& x)
   {
-    const double ax = std::fabs(x.x), ay = std::fabs(x.y), az = std::fabs(x.z);
-    const Vector axis = ax <= ay && ax <= az ? Vector{1, 0, 0} : ay <= az ? Vector{0, 1, 0} : Vector{0, 0, 1};
-    u = made_orthogonal(axis, x);
+    u = made_orthogonal(farthest_axis(x), x);
     v = unit(cross(x, u));
   }
 

@@ -15,8 +15,10 @@
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -127,20 +129,12 @@ private:
 // the same number, since joint fits can make them equal.
 inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
 {
-  auto key = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
-  std::vector<std::size_t> order;
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    if(!groups[g].members.empty()) // as those of given directions may be: numbers are below n
-      order.push_back(g);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return key(groups[a].direction) < key(groups[b].direction); });
+  std::map<std::array<double, 3>, int> number;
   std::vector<int> direction_of(n, -1);
-  int last = -1;
-  for(std::size_t k = 0; k < order.size(); ++k) {
-    if(k == 0 || key(groups[order[k]].direction) != key(groups[order[k - 1]].direction))
-      ++last;
-    for(int i : groups[order[k]].members)
-      direction_of[i] = last;
+  for(const Direction_group& g : groups) {
+    const std::array<double, 3> bits = {g.direction.x, g.direction.y, g.direction.z};
+    for(int i : g.members) // given directions may have none: numbers are below n
+      direction_of[i] = number.emplace(bits, int(number.size())).first->second;
   }
   return direction_of;
 }
@@ -152,23 +146,18 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
 {
   const std::size_t n = plane.size();
   std::vector<int> direction_number(n, -1), plane_number(n, -1);
+  const auto enter = [](const auto& item, int shared, std::vector<int>& number, auto& table) {
+    int own = -1;
+    int& entry = shared < 0 ? own : number[std::size_t(shared)];
+    if(entry < 0) {
+      entry = int(table.size());
+      table.push_back(item);
+    }
+    return entry;
+  };
   for(std::size_t i = 0; i < n; ++i) {
-    int d = direction[i] < 0 ? -1 : direction_number[direction[i]];
-    if(d < 0) {
-      d = int(r.directions.size());
-      r.directions.push_back(plane[i].normal);
-      if(direction[i] >= 0)
-        direction_number[direction[i]] = d;
-    }
-    int p = coplanar[i] < 0 ? -1 : plane_number[coplanar[i]];
-    if(p < 0) {
-      p = int(r.planes.size());
-      r.planes.push_back(plane[i]);
-      if(coplanar[i] >= 0)
-        plane_number[coplanar[i]] = p;
-    }
-    r.direction_of.push_back(d);
-    r.plane_of.push_back(p);
+    r.direction_of.push_back(enter(plane[i].normal, direction[i], direction_number, r.directions));
+    r.plane_of.push_back(enter(plane[i], coplanar[i], plane_number, r.planes));
   }
 }
 
@@ -246,15 +235,12 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
   for(const Vector& axis : options.symmetry_axis)
     Axis_symmetry(groups, axis, options).make_symmetric();
   release_shapes(shapes, options, groups);
-  std::vector<Vector> normal(shapes.size());
-  for(std::size_t i = 0; i < shapes.size(); ++i)
-    normal[i] = canonical(shapes[i].fit.normal);
+  Regular_planes plane;
+  for(const Shape_fit& s : shapes)
+    plane.push_back(plane_through(canonical(s.fit.normal), s.scatter.centroid));
   for(const Direction_group& g : groups)
     for(int i : g.members)
-      normal[i] = g.direction;
-  Regular_planes plane(shapes.size());
-  for(std::size_t i = 0; i < shapes.size(); ++i)
-    plane[i] = through_centroid(shapes[i], normal[i]);
+      plane[i] = plane_through(g.direction, shapes[i].scatter.centroid);
   const std::vector<int> direction = shared_directions(groups, shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset_steps > 0)

@@ -40,9 +40,6 @@ inline double squared_sine(const Vector& a, const Vector& b)
 
 // --- The relations.
 
-// For a given normal, the plane with the least sum of squared distances.
-inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
-
 struct Regularity_parameters {
   double angle_tolerance_deg = 0;    // beta, in [0, 45)
   double maximum_offset_steps = 0;   // sigma, the largest offset of planes that become one

@@ -24,9 +24,7 @@ struct Plane_axes {
 
   explicit Plane_axes(const Vector& n)
   {
-    const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
-    const Vector least = x <= y && x <= z ? Vector{1, 0, 0} : y <= z ? Vector{0, 1, 0} : Vector{0, 0, 1};
-    a = unit(cross(n, least));
+    a = unit(cross(n, farthest_axis(n)));
     b = cross(n, a);
   }
 };
