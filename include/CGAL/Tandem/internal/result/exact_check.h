@@ -23,11 +23,12 @@ namespace CGAL::Tandem::internal {
 
 // Planes, by label, and bounds for the points of shapes.
 struct Bounded_planes {
+  Surfels_view surfels;
   const Plane* plane;
   Tolerance tolerance;
 
   // point p of a surfel
-  CGAL_TANDEM_HD bool hold(std::uint32_t label, const Surfels_view& surfels, std::uint32_t p) const
+  CGAL_TANDEM_HD bool hold(std::uint32_t label, std::uint32_t p) const
   {
     return fits(plane[label], surfels.point[p], surfels.tolerance_of_point(p, tolerance));
   }
@@ -47,8 +48,7 @@ struct Spread_surfel {
     const std::uint32_t i = cloud.surfels.of_point(std::uint32_t(p));
     if(estimated != nullptr)
       estimated[p].normal = cloud.point[i].normal;
-    point_label[p] =
-      label[i] >= first_mark || possible.hold(label[i], cloud.surfels, std::uint32_t(p)) ? label[i] : locked_label;
+    point_label[p] = label[i] >= first_mark || possible.hold(label[i], std::uint32_t(p)) ? label[i] : locked_label;
   }
 };
 
@@ -112,14 +112,14 @@ struct Label_free_surfel {
       last = t;
       std::uint32_t held = 0;
       for(std::uint32_t p = points.first; p < points.last; ++p)
-        held += certain.hold(t, cloud.surfels, p);
+        held += certain.hold(t, p);
       if(held > most) {
         most = held;
         next[i] = t;
       }
     }
     for(std::uint32_t p = points.first; p < points.last && most > 0; ++p)
-      if(certain.hold(next[i], cloud.surfels, p))
+      if(certain.hold(next[i], p))
         point_label[p] = next[i];
   }
 };
@@ -168,49 +168,38 @@ struct Caller_view {
   Vectors_view normals; // of any length; null where they were estimated
 };
 
-// Whether the filter fails for a labeled point. The reduced bounds cover the rounding of the point, of its normal and
-// of the plane. So a point that fits within them passes the exact test, too.
-struct Is_uncertain {
-  Surfels_view points;
-  const std::uint32_t* label;
-  const Plane* plane; // by shape
-  Tolerance certain;  // epsilon and alpha, less all rounding: see tuning::exactness
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
-  {
-    return label[i] < first_mark && !fits(plane[label[i]], points.point[i], points.tolerance_of_point(i, certain));
-  }
-};
-
 // What the host needs of a point to test it. The normal is the packed one, for clouds with estimated normals.
 struct Uncertain_point {
   std::uint32_t shape, origin, normal, level; // origin: the imported point; level: of its tolerance
+  std::uint32_t place;                        // in the sorted cloud
 };
 
-// Item i is the i-th uncertain point, at position place[i] of the sorted cloud.
-struct Gather_uncertain {
-  Surfels_view points;
-  const std::uint32_t* label;
-  const std::uint32_t* origin;
-  const std::uint32_t* place;
-  Uncertain_point* uncertain;
+// The labeled points for which the filter fails: integers do not tell whether they are within the bounds, less all
+// rounding of the point, of its normal and of the plane (see tuning::exactness). So a point that fits within these
+// passes the exact test, too. The labels are those of the extraction: a test between two rounds changes no label of the
+// loop.
+struct Take_uncertain {
+  Bounded_planes certain;
+  std::uint32_t* label;
+  const std::uint32_t* origin; // the imported points
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool has(std::uint32_t p) const { return label[p] < first_mark && !certain.hold(label[p], p); }
+  CGAL_TANDEM_HD Uncertain_point take(std::uint32_t p) const
   {
-    uncertain[i] = {label[place[i]], origin[place[i]], points.point[place[i]].normal, points.level_of_point(place[i])};
+    return {label[p], origin[p], certain.surfels.point[p].normal, certain.surfels.level_of_point(p), p};
   }
 };
 
 // Points that fail become free, and no plane is fitted afterwards.
 struct Lock_rejected {
-  const std::uint32_t* place;
+  const Uncertain_point* uncertain;
   const std::uint8_t* is_rejected;
   std::uint32_t* label;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     if(is_rejected[i])
-      label[place[i]] = locked_label;
+      label[uncertain[i].place] = locked_label;
   }
 };
 
@@ -230,29 +219,16 @@ struct Check_exactly {
   }
 };
 
-// The points that are tested, in the order of the sorted cloud. The labels are those of the extraction, so a test
-// between two rounds changes no label of the loop.
-struct Points_to_check {
-  Surfels_view of_surfels;
-  const std::uint32_t* origin; // the imported points
-  std::uint32_t* label;
-  std::size_t size;
-};
-
-// Takes the label of each point that is not within the bounds of its shape. Few points are uncertain, so little goes to
-// the host and back. plane, certain: see Is_uncertain.
+// Takes the label of each of the n points that is not within the bounds of its shape. Few points are uncertain, so
+// little goes to the host and back.
 template <class Backend>
-void check_exactly(Backend& backend, const Points_to_check& points, const Plane* plane, const Tolerance& certain,
-                   const Check_exactly& check)
+void check_exactly(Backend& backend, std::size_t n, const Take_uncertain& points, const Check_exactly& check)
 {
-  const auto place = backend.compact(points.size, Is_uncertain{points.of_surfels, points.label, plane, certain});
-  Buffer_of<Backend, Uncertain_point> buffer(place.size());
-  backend.for_each(place.size(),
-                   Gather_uncertain{points.of_surfels, points.label, points.origin, place.data(), buffer.data()});
-  const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer);
+  const auto found = backend.template collect<Uncertain_point>(n, points);
+  const std::vector<Uncertain_point> uncertain = to_vector(backend, found);
   const auto is_rejected = backend.template make_buffer<std::uint8_t>(
     uncertain.size(), [&](std::size_t i) { return std::uint8_t(!check.is_within(uncertain[i])); });
-  backend.for_each(place.size(), Lock_rejected{place.data(), is_rejected.data(), points.label});
+  backend.for_each(found.size(), Lock_rejected{found.data(), is_rejected.data(), points.label});
 }
 
 } // namespace CGAL::Tandem::internal

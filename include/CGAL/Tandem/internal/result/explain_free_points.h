@@ -18,7 +18,7 @@
 
 namespace CGAL::Tandem::internal {
 
-// In the order in which they are tried: each point has the first one that holds.
+// In the order in which they are tried, and that of Free_points: each point has the first one that holds.
 namespace free_reason {
 enum Reason : std::size_t { without_normal, misfit, without_neighbors, in_small_regions, clutter, size };
 } // namespace free_reason
@@ -90,13 +90,8 @@ Free_points explain_free_points(Labeled_cloud<Backend>& points, const Final_shap
   const auto own = points.backend.template sum<free_reason::size>(
     points.cloud.number_of_points(), Explain_free_points{points.cloud.view(), shapes, plane.data(), tolerance});
   const auto total = [&](free_reason::Reason r) { return points.ranks.total(std::size_t(own[r])); };
-  Free_points counts;
-  counts.without_normal = total(free_reason::without_normal);
-  counts.misfit = total(free_reason::misfit);
-  counts.without_neighbors = total(free_reason::without_neighbors);
-  counts.in_small_regions = total(free_reason::in_small_regions);
-  counts.clutter = total(free_reason::clutter);
-  return counts;
+  return {total(free_reason::without_normal), total(free_reason::misfit), total(free_reason::without_neighbors),
+          total(free_reason::in_small_regions), total(free_reason::clutter)};
 }
 
 } // namespace CGAL::Tandem::internal

@@ -39,7 +39,7 @@ public:
   {
     take_entries();
     check_points();
-    label_free_surfels(points_, {plane_.data(), parameters_.certain}, label_, point_label_);
+    label_free_surfels(points_, bounded(parameters_.certain), label_, point_label_);
     Engine_result result;
     name_shapes(result);
     if(!in_.has_normals)
@@ -68,10 +68,10 @@ private:
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    spread_labels(points_, label_.data(), {plane_.data(), parameters_.possible}, in_.has_normals, point_label_);
+    spread_labels(points_, label_.data(), bounded(parameters_.possible), in_.has_normals, point_label_);
     std::uint32_t* const checked = point_label_.size() > 0 ? point_label_.data() : label_.data();
-    check_exactly(backend_, {points_.cloud.surfels(), order(), checked, points_.cloud.number_of_points()},
-                  plane_.data(), parameters_.certain, Check_exactly{caller, coefficients_.data(), parameters_.exact});
+    check_exactly(backend_, points_.cloud.number_of_points(), {bounded(parameters_.certain), checked, order()},
+                  {caller, coefficients_.data(), parameters_.exact});
     free_rejected(points_, labels(), label_.data());
     points_.ranks.refresh(label_.data(), Rings::inner);
   }
@@ -160,6 +160,7 @@ private:
     result.normal = on_host<std::uint32_t>(std::move(normal));
   }
 
+  Bounded_planes bounded(const Tolerance& t) const { return {points_.cloud.surfels(), plane_.data(), t}; }
   const std::uint32_t* order() const { return points_.cloud.order.data(); }
 
   Labels_of_points labels() const
