@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(bodies)
     }
     CHECK_AT(n < 100 || moved > 20, f.name + ": hardly any point changes");
     on_body_backends([&](auto backend, const std::string& name) {
-      const auto edge = edge_surfels(backend, view);
+      const auto edge = backend.compact(n, Is_at_edge{view});
       std::vector<std::uint32_t> chosen(n), normal(n);
       backend.for_each(n, Copy_items<std::uint32_t>{view.label, chosen.data()});
       backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()});

@@ -86,30 +86,21 @@ private:
   }
 };
 
-// Marks the surfels with a neighbor beyond an edge of their shape.
-struct Mark_edge {
+// Whether a surfel has a neighbor beyond an edge of its shape. Such surfels are few and take long, so the functors below
+// run over their list, not over all surfels.
+struct Is_at_edge {
   Edge_view view;
-  std::uint8_t* is_at_edge;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
     const std::uint32_t s = view.label[i];
-    const std::uint32_t* row = view.cloud.row(std::uint32_t(i));
-    bool is_marked = false;
-    for(int j = 0; s < first_mark && !is_marked && j < view.cloud.k && row[j] != no_index; ++j)
-      is_marked = view.is_edge(s, view.label[row[j]]);
-    is_at_edge[i] = is_marked;
+    const std::uint32_t* row = view.cloud.row(i);
+    bool result = false;
+    for(int j = 0; s < first_mark && !result && j < view.cloud.k && row[j] != no_index; ++j)
+      result = view.is_edge(s, view.label[row[j]]);
+    return result;
   }
 };
-
-// These surfels, ascending. They are few and take long, so the functors below run over this list, not over all surfels.
-template <class Backend>
-Buffer_of<Backend, std::uint32_t> edge_surfels(Backend& backend, const Edge_view& view)
-{
-  Buffer_of<Backend, std::uint8_t> is_at_edge(view.cloud.size);
-  backend.for_each(is_at_edge.size(), Mark_edge{view, is_at_edge.data()});
-  return backend.compact(is_at_edge.size(), Is_marked{is_at_edge.data()});
-}
 
 // So many of these surfels are worth a thread.
 constexpr std::size_t edges_per_thread = 128;
@@ -203,7 +194,7 @@ void choose_edge_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   const std::size_t n = points.cloud.number_of_surfels();
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
-  const auto edge = edge_surfels(backend, view);
+  const auto edge = backend.compact(n, Is_at_edge{view});
   Buffer_of<Backend, std::uint32_t> chosen(n), normal(edge.size());
   backend.for_each(n, Copy_items<std::uint32_t>{points.label(), chosen.data()});
   backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()}, edges_per_thread);
