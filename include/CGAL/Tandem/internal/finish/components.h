@@ -110,14 +110,19 @@ struct Unite_at_border {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Pair_scratch& scratch, std::uint32_t c) const
   {
+    constexpr std::uint64_t none = ~std::uint64_t(0);
     const Union_find<Shared_parents<Backend>> points = {{component}};
     const Range range = border_of[c];
     block.for_each(Pair_scratch::slots, [&](std::uint32_t i) { scratch.pair[i] = none; });
     const auto note = [&](std::uint32_t p, std::uint32_t q) {
       p = points.parents.load(p);
       q = points.parents.load(q);
-      if(p != q && !is_noted(block, scratch, std::uint64_t(p) << 32 | q))
-        points.unite(p, q);
+      if(p == q)
+        return;
+      const std::uint64_t pair = std::uint64_t(p) << 32 | q;
+      const std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 56);
+      if(!block.count_pair(scratch.pair[slot], scratch.count[slot], pair))
+        points.unite(p, q); // the slot holds another pair
     };
     block.for_each_neighbor(
       range.size(), adjacency.cloud.k, [&](std::uint32_t b) { return adjacency.cloud.row(border[range.first + b]); },
@@ -128,17 +133,6 @@ struct Unite_at_border {
       if(scratch.pair[i] != none)
         points.unite(std::uint32_t(scratch.pair[i] >> 32), std::uint32_t(scratch.pair[i]));
     });
-  }
-
-private:
-  static constexpr std::uint64_t none = ~std::uint64_t(0);
-
-  // False if the slot holds another pair.
-  template <class Block>
-  CGAL_TANDEM_HD static bool is_noted(Block& block, Pair_scratch& scratch, std::uint64_t pair)
-  {
-    const std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 56);
-    return block.count_pair(scratch.pair[slot], scratch.count[slot], pair);
   }
 };
 
@@ -214,27 +208,18 @@ struct Count_components {
   }
 };
 
-// The roots of the components that are large enough. A free surfel is a root of its own, and excluded by its label.
-struct Is_large_root {
+// The components that are large enough, by their roots. A free surfel is a root of its own, and excluded by its label.
+struct Take_large {
   const std::uint32_t* label;
   const std::uint32_t* component;
   const std::uint32_t* size;
   std::uint64_t minimum;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const
   {
     return component[i] == i && label[i] < first_mark && size[i] >= minimum;
   }
-};
-
-// Packs what the host needs of each large component, so that one copy is enough.
-struct Gather_components {
-  const std::uint32_t* root;
-  const std::uint32_t* label;
-  const std::uint32_t* size;
-  Component* component;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
+  CGAL_TANDEM_HD Component take(std::uint32_t i) const { return {i, label[i], size[i]}; }
 };
 
 static_assert(free_label == no_index, "what has no number is free");
@@ -274,11 +259,9 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, const St
   backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
   borders.sum_sizes(n, size.data());
-  const auto root =
-    backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)});
-  Buffer_of<Backend, Component> buffer(root.size());
-  backend.for_each(root.size(), Gather_components{root.data(), labels.label, size.data(), buffer.data()});
-  std::vector<Component> components = borders.join_large(to_vector(backend, buffer));
+  const auto own = backend.template collect<Component>(
+    n, Take_large{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)});
+  std::vector<Component> components = borders.join_large(to_vector(backend, own));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;
