@@ -277,26 +277,33 @@ struct Choose_split {
   }
 };
 
-struct Gains {
+struct Accepted_split {
+  std::uint32_t id;
+  Split split;
+};
+
+// The candidates that gain.
+struct Take_accepted_split {
+  const std::uint32_t* id; // these by candidate
+  const Split* split;
   const std::int64_t* gain;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return gain[i] > 0; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return gain[i] > 0; }
+  CGAL_TANDEM_HD Accepted_split take(std::uint32_t i) const { return {id[i], split[i]}; }
 };
 
 // The new shapes are behind the others.
 struct Start_half {
   Plane* plane;
-  const std::uint32_t* id;
-  const std::uint32_t* accepted; // candidates
-  const Split* split;            // by candidate
-  std::uint32_t* new_id;         // by old id
+  const Accepted_split* accepted;
+  std::uint32_t* new_id; // by old id
   std::uint32_t first_new;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::uint32_t old = id[accepted[i]], half = first_new + std::uint32_t(i);
-    plane[old] = split[accepted[i]].first;
-    plane[half] = split[accepted[i]].second;
+    const std::uint32_t old = accepted[i].id, half = first_new + std::uint32_t(i);
+    plane[old] = accepted[i].split.first;
+    plane[half] = accepted[i].split.second;
     new_id[old] = half;
   }
 };
@@ -316,25 +323,16 @@ struct Choose_half {
   }
 };
 
-// Splits by the accepted candidates.
 template <class Backend>
-struct Found_splits {
-  Buffer_of<Backend, std::uint32_t> id, accepted;
-  Buffer_of<Backend, Split> split;
-};
-
-template <class Backend>
-Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                                  const Stage_parameters& options)
+Buffer_of<Backend, Accepted_split> find_splits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                               const Stage_parameters& options)
 {
   Backend& backend = points.backend;
   const Split_trials trials(options);
-  Found_splits<Backend> found;
   const May_split may_split = {shapes.fitted(), trials};
-  found.id = backend.compact(shapes.size, may_split);
-  if(found.id.size() == 0)
-    return found;
-  Buffer_of<Backend, std::uint32_t>& id = found.id;
+  const auto id = backend.compact(shapes.size, may_split);
+  if(id.size() == 0)
+    return {};
   const Sorted_samples<Backend> sample = sorted_samples(points, shapes, may_split, Split_trials::sample_size);
   Buffer_of<Backend, Split> trial(id.size() * Split_trials::starts);
   for_each_by_group(backend, trial.size(),
@@ -364,12 +362,11 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   backend.template for_each_cell<No_scratch>(points.number_of_parts(),
                                              Sum_accounts<Backend>{view, smooth.data(), account.data()});
   points.ranks.sum(reinterpret_cast<std::uint64_t*>(account.data()), account.size() * sizeof(Split_account) / 8);
-  found.split.reset(id.size());
+  Buffer_of<Backend, Split> split(id.size());
   Buffer_of<Backend, std::int64_t> gain(id.size());
   backend.for_each(id.size(), Choose_split{trials, shapes.fitted(), id.data(), trial.data(), account.data(),
-                                           found.split.data(), gain.data()});
-  found.accepted = backend.compact(id.size(), Gains{gain.data()});
-  return found;
+                                           split.data(), gain.data()});
+  return backend.template collect<Accepted_split>(id.size(), Take_accepted_split{id.data(), split.data(), gain.data()});
 }
 
 template <class Backend>
@@ -377,14 +374,13 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
 {
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits | tables::lists);
-  const Found_splits<Backend> found = find_splits(points, shapes, options);
-  const std::size_t number = found.accepted.size();
+  const auto accepted = find_splits(points, shapes, options);
+  const std::size_t number = accepted.size();
   if(number == 0)
     return;
   const std::size_t first_new = add_shapes(backend, shapes, number);
   auto new_id = filled_buffer(backend, first_new, no_index);
-  backend.for_each(number, Start_half{shapes.plane.data(), found.id.data(), found.accepted.data(), found.split.data(),
-                                      new_id.data(), std::uint32_t(first_new)});
+  backend.for_each(number, Start_half{shapes.plane.data(), accepted.data(), new_id.data(), std::uint32_t(first_new)});
   Buffer_of<Backend, std::uint32_t> chosen(points.cloud.number_of_surfels());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),
                                               shapes.plane.data(), chosen.data()});
