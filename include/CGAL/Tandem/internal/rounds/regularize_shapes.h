@@ -82,20 +82,6 @@ struct Apply_relation {
   }
 };
 
-// The relations of the shapes; where none are due, only the planes through their centroids.
-inline Shape_relations find_relations(const std::vector<Shape_summary>& shapes, const Regularity_parameters& options,
-                                      bool is_due)
-{
-  Shape_fits fits;
-  Shape_relations r;
-  for(const Shape_summary& s : shapes) {
-    fits.push_back(s.fit);
-    r.id.push_back(std::uint32_t(s.id));
-  }
-  r.relations = regularize(fits, std::vector<char>(shapes.size(), !is_due), options, false);
-  return r;
-}
-
 // The offset of each plane becomes that which fits the points of all of its shapes best.
 inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r)
 {
@@ -133,7 +119,7 @@ void apply_relations(Backend& backend, Shape_table<Backend>& shapes, const Shape
   backend.for_each(ids.size(), Apply_relation{shapes.table().data(), ids.data(), regular.data()}, shapes_per_thread);
 }
 
-// is_due: otherwise no relations are looked for. minimum_size: of the shapes that take part.
+// is_due: otherwise shapes get planes through their centroids, without relations. minimum_size: of the shapes that take part.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                   const Stage_parameters& options, bool is_due, std::int64_t minimum_size)
@@ -142,7 +128,13 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   update_tables(points, shapes, tables::fits);
   for_each_shape(backend, shapes, Take_local{shapes.fitted()});
   const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum_size});
-  Shape_relations r = find_relations(summarize(backend, shapes, ids), options.regularity, is_due);
+  Shape_fits fits;
+  Shape_relations r;
+  for(const Shape_summary& s : summarize(backend, shapes, ids)) {
+    fits.push_back(s.fit);
+    r.id.push_back(std::uint32_t(s.id));
+  }
+  r.relations = regularize(fits, std::vector<char>(fits.size(), !is_due), options.regularity, false);
   apply_relations(backend, shapes, r);
   return r;
 }
