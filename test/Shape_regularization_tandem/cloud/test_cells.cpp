@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(exact_check)
     std::uint32_t label = 0;
     const Plane integer = rounded(plane);
     check_exactly(backend, 1, {{{&g, nullptr, nullptr}, &integer, options.certain}, &label, &index},
-                  {{{p, false}, {normal, false}}, &c, options.exact});
+                  {{p, false}, {normal, false}, &c, options.exact});
     Real e = c[3], cosine = 0;
     for(int a = 0; a < 3; ++a) {
       e += Real(c[a]) * p[a];

@@ -82,8 +82,6 @@ struct Fit_plane {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    if(!shape[id].is_live())
-      return;
     Take_local{shape}(id);
     Round_plane{shape, plane}(id);
   }

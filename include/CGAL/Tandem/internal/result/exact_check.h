@@ -162,12 +162,6 @@ struct Write_normals {
 
 // --- The check itself.
 
-// The caller's values, in the order of the imported points.
-struct Caller_view {
-  Vectors_view coordinates;
-  Vectors_view normals; // of any length; null where they were estimated
-};
-
 // What the host needs of a point to test it. The normal is the packed one, for clouds with estimated normals.
 struct Uncertain_point {
   std::uint32_t shape, origin, normal, level; // origin: the imported point; level: of its tolerance
@@ -205,16 +199,16 @@ struct Lock_rejected {
 
 // The test itself. It runs on the host, because the caller's coordinates and normals are there.
 struct Check_exactly {
-  Caller_view caller;
+  Vectors_view coordinates;  // the caller's values, in the order of the imported points
+  Vectors_view normals;      // of any length; null where they were estimated
   const Coefficients* plane; // by shape
   Exact_bounds bounds;
 
   bool is_within(const Uncertain_point& u) const
   {
     // An estimated normal is what the result reports for the point: its packed value.
-    const Vector normal =
-      caller.normals.data != nullptr ? normalized(caller.normals[u.origin]) : unpacked_normal(u.normal);
-    return bounds.is_near(plane[u.shape], caller.coordinates[u.origin], std::uint8_t(u.level)) &&
+    const Vector normal = normals.data != nullptr ? normalized(normals[u.origin]) : unpacked_normal(u.normal);
+    return bounds.is_near(plane[u.shape], coordinates[u.origin], std::uint8_t(u.level)) &&
            bounds.is_aligned(plane[u.shape], normal);
   }
 };

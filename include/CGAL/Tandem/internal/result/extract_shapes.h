@@ -67,11 +67,10 @@ private:
     plane_ = backend_.template make_buffer<Plane>(relations_.id.size(), [&](std::size_t i) {
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
-    const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
     spread_labels(points_, label_.data(), bounded(parameters_.possible), in_.has_normals, point_label_);
     std::uint32_t* const checked = point_label_.size() > 0 ? point_label_.data() : label_.data();
     check_exactly(backend_, points_.cloud.number_of_points(), {bounded(parameters_.certain), checked, order()},
-                  {caller, coefficients_.data(), parameters_.exact});
+                  {in_.coordinates.view(), in_.normals.view(), coefficients_.data(), parameters_.exact});
     free_rejected(points_, labels(), label_.data());
     points_.ranks.refresh(label_.data(), Rings::inner);
   }

@@ -18,17 +18,6 @@
 
 namespace CGAL::Tandem::internal {
 
-// Two axes of the plane, orthogonal to each other and to the unit normal n.
-struct Plane_axes {
-  Vector a, b;
-
-  explicit Plane_axes(const Vector& n)
-  {
-    a = unit(cross(n, farthest_axis(n)));
-    b = cross(n, a);
-  }
-};
-
 // The variance of a normal along an axis of the plane, of which `spread` is the sum of the squared coordinates about the
 // centroid: noise^2 / spread, as of any line that is fitted, corrected for the noise that `spread` itself has. Where the
 // points are no wider than thick, or of no width but rounding, nothing is known.
@@ -48,17 +37,17 @@ inline Plane_uncertainty plane_uncertainty(const Scatter& s, const Regular_plane
   u.centroid = {s.centroid.x, s.centroid.y, s.centroid.z};
   u.noise = std::sqrt(noise2);
   u.offset_deviation = std::sqrt(noise2 / s.count);
-  // The scatter within the plane, and a third eigenvalue that is the smallest one.
-  const Plane_axes axes(plane.normal);
-  const Vector ma = s.matrix * axes.a;
-  const double aa = dot(axes.a, ma), ab = dot(axes.b, ma), bb = quadratic_form(s.matrix, axes.b);
+  // The scatter within the plane, by two orthogonal axes, and a third eigenvalue that is the smallest one.
+  const Vector a = unit(cross(plane.normal, farthest_axis(plane.normal))), b = cross(plane.normal, a);
+  const Vector ma = s.matrix * a;
+  const double aa = dot(a, ma), ab = dot(b, ma), bb = quadratic_form(s.matrix, b);
   const Eigen_system e = eigen_system({aa, ab, 0, bb, 0, -1 - aa - bb});
   const double rounding = tuning::exactness::squared_distance_margin * e.value[2];
   double largest = 0;
   Symmetric_matrix m = {};
   for(int i = 1; i < 3; ++i) {
     const double variance = normal_variance(e.value[i], s.count, noise2, rounding);
-    m = add_square(m, variance, add_scaled(e.vector[i].x * axes.a, e.vector[i].y, axes.b));
+    m = add_square(m, variance, add_scaled(e.vector[i].x * a, e.vector[i].y, b));
     largest = (std::max)(largest, variance);
   }
   u.normal_covariance = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};

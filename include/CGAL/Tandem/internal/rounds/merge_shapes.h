@@ -90,17 +90,6 @@ Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& 
 
 // --- The unions of touching shapes, by all ranks. Changes nothing but tables of its own, where the functors run.
 
-struct Start_root {
-  Union_root* root;
-  std::uint32_t* target;
-
-  CGAL_TANDEM_HD void operator()(std::size_t s) const
-  {
-    root[s] = Union_root();
-    target[s] = std::uint32_t(s);
-  }
-};
-
 struct Start_pair {
   const Link* link;
   Union_pair* pair;
@@ -187,13 +176,12 @@ Shape_unions<Backend> unite_shapes(const Labeled_cloud<Backend>& points, Shape_t
   Backend& backend = points.backend;
   const std::size_t n = shapes.size;
   Shape_unions<Backend> unions;
-  unions.target.reset(n);
-  unions.root.reset(n);
+  unions.target = identity_targets(backend, n);
+  unions.root = filled_buffer(backend, n, Union_root());
   unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
   Buffer_of<Backend, Union_pair> pair(links.size());
   auto joins = filled_buffer(backend, 2, std::uint32_t(0));
   unions.total = filled_buffer(backend, 2, std::uint32_t(0));
-  backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   run_unions(backend, points.ranks, (std::max)(n, links.size()),
              Union_rounds<Backend>{gain, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
