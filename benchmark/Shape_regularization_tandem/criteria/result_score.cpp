@@ -31,7 +31,7 @@ internal::Score_counts count(const Scored_cloud& cloud, const Detection& fitting
   graph.neighbor = cloud.graph.neighbor.data();
   graph.size = std::uint32_t(fitting.label.size());
   graph.k = int(cloud.graph.k);
-  const double units = double(internal::Score_item::tolerance_units);
+  const double units = double(internal::Score::tolerance_units);
   const std::vector<std::uint32_t> label(fitting.label.begin(), fitting.label.end()); // -1 becomes free_label
   for(std::size_t i = 0; i < fitting.label.size(); ++i) {
     internal::count_links(graph, std::uint32_t(i), label.data(), counts);
@@ -39,7 +39,7 @@ internal::Score_counts count(const Scored_cloud& cloud, const Detection& fitting
       continue;
     const double d = distance(fitting.planes[std::size_t(fitting.label[i])], cloud.points[i]);
     const double fraction = (std::min)(d / cloud.tolerances.maximum_distance, 1.);
-    counts.fit += internal::Score::weight_at({1, 0}, std::uint64_t(std::lround(fraction * units)));
+    counts.fit += internal::Score::weight_at(std::uint64_t(std::lround(fraction * units)));
   }
   return counts;
 }

@@ -66,7 +66,7 @@ std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std:
 {
   constexpr std::int64_t one = 4096;
   const auto weight = [&](std::uint32_t s, std::uint32_t i) {
-    return Score::weight({1, f.tolerance_of(i).distance}, signed_distance(f.plane[s], f.point[i]));
+    return Score::weight(f.tolerance_of(i), signed_distance(f.plane[s], f.point[i]));
   };
   std::vector<std::int64_t> balance(f.plane.size(), 0);
   for(std::uint32_t i = 0; i < f.cloud.size; ++i) {

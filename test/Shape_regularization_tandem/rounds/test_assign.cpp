@@ -86,8 +86,7 @@ private:
     std::int64_t links = 0;
     f.for_each_neighbor(i, [&](std::uint32_t j) { links += label[j] == s; });
     const std::int64_t distance = signed_distance(f.plane[s], f.point[i]);
-    const std::int64_t result =
-      Score::weight({1, f.tolerance_of(i).distance}, distance) + links * (Score::unit / 2) / f.cloud.k;
+    const std::int64_t result = Score::weight(f.tolerance_of(i), distance) + links * (Score::unit / 2) / f.cloud.k;
     if(label[i] >= first_mark)
       return result + bonus(s);
     const std::int64_t continuity = continuity_at(f.plane[label[i]], f.plane[s], f.point[i], f.tolerance_of(i));

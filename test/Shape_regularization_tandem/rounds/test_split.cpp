@@ -45,7 +45,7 @@ struct Slow_trial {
     }
     const auto weight = [&](const Plane& p, std::uint32_t i) {
       const Tolerance t = f.tolerance_of(i);
-      return fits(p, f.point[i], t) ? Score::weight({1, t.distance}, signed_distance(p, f.point[i])) : 0;
+      return fits(p, f.point[i], t) ? Score::weight(t, signed_distance(p, f.point[i])) : 0;
     };
     for(std::uint32_t i = 0; i < f.label.size(); ++i) {
       if(f.label[i] != id)

@@ -85,13 +85,13 @@ inline Statistic count_of(const char* name, std::size_t found, std::size_t expec
 inline double rounding_of_distances(const Shapes_data& data, const Import& in)
 {
   const double epsilon = data.parameters.maximum_distance;
-  return (std::min)(distance_margin_steps(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
+  return (std::min)(distance_margin_steps(in.grid) * in.grid.step + 2 * epsilon / double(Score::tolerance_units),
                     epsilon);
 }
 
 // Sums over the points of shapes.
 struct Point_sums {
-  std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score_item and Score
+  std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score
   double fit_error = 0;                              // what rounding of distances may change of the latter, in points
   std::vector<Plane_sums> planes;
 
@@ -99,7 +99,7 @@ struct Point_sums {
   {
     const double epsilon = data.parameters.maximum_distance, rounding = 2 * rounding_of_distances(data, in);
     const auto fraction_of = [](double distance, double length) {
-      return std::uint64_t((std::min)(distance / length, 1.) * double(Score_item::tolerance_units) + .5);
+      return std::uint64_t((std::min)(distance / length, 1.) * double(Score::tolerance_units) + .5);
     };
     for(std::size_t i = 0; i < in.size(); ++i) {
       const std::int32_t s = data.shape_of[in.item_of(i)];
@@ -112,7 +112,7 @@ struct Point_sums {
         in.has_tolerances ? epsilon * level_factor(level_of((std::min)(in.tolerances[i], epsilon), epsilon)) : epsilon;
       ++assigned;
       distance += fraction_of(found, epsilon);
-      fit += std::uint64_t(Score::weight_at({1, 0}, fraction_of(found, tolerance)));
+      fit += std::uint64_t(Score::weight_at(fraction_of(found, tolerance)));
       fit_error += (std::min)(rounding / tolerance, 1.) + 1e-6;
       planes[std::size_t(s)].add(p, data.uncertainty[std::size_t(s)], found, in.grid.step);
     }
@@ -135,7 +135,7 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     return "the statistics are wrong: angle_note is \"" + t.angle_note + '"';
   const double points = double(in.total.items), assigned = double(sums.assigned);
   const double epsilon = data.parameters.maximum_distance;
-  const double unit = epsilon / double(Score_item::tolerance_units);
+  const double unit = epsilon / double(Score::tolerance_units);
   const double mean = sums.assigned > 0 ? double(sums.distance) / assigned * unit : 0;
   const double rounding = rounding_of_distances(data, in);
   const std::string wrong_count = first_violation({

@@ -10,7 +10,6 @@
 
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/score/Score.h>
-#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 namespace CGAL::Tandem::internal {
@@ -72,7 +71,7 @@ private:
 
   CGAL_TANDEM_HD std::int64_t weight(std::uint32_t i, std::uint32_t s) const
   {
-    return Score::weight({1, cloud.tolerance_of(i, tolerance).distance}, signed_distance(plane[s], cloud.point[i]));
+    return Score::weight(cloud.tolerance_of(i, tolerance), signed_distance(plane[s], cloud.point[i]));
   }
 
   CGAL_TANDEM_HD std::int64_t free_weight(std::uint32_t q) const

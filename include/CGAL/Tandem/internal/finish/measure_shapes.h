@@ -75,12 +75,11 @@ private:
     std::uint32_t number_opposed = 0;
     labels.for_each_point(i, [&](std::uint32_t at) {
       const std::int64_t distance = signed_distance(p, cloud.surfels.point[at]);
-      const std::uint64_t fraction = Score_item{1, tolerance.distance}.fraction_of(distance);
+      const std::uint64_t fraction = Score::fraction_of(tolerance, distance);
       of_surfel[Point_measures::distance] += fraction;
-      const Score_item item = {1, cloud.surfels.tolerance_of_point(at, tolerance).distance};
-      const bool is_own = item.tolerance != tolerance.distance;
-      of_surfel[Point_measures::fit] +=
-        std::uint64_t(Score::weight_at(item, is_own ? item.fraction_of(distance) : fraction));
+      const Tolerance own = cloud.surfels.tolerance_of_point(at, tolerance);
+      of_surfel[Point_measures::fit] += std::uint64_t(
+        Score::weight_at(own.distance != tolerance.distance ? Score::fraction_of(own, distance) : fraction));
       number_opposed += normal_product(p, decode_normal(cloud.surfels.point[at].normal)) < 0;
     });
     if(number_opposed > 0)

@@ -14,8 +14,6 @@
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
-#include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Tandem::internal {

@@ -14,8 +14,6 @@
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Tandem::internal {

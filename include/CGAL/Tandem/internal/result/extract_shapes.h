@@ -133,7 +133,7 @@ private:
       points += result.shapes[s].size;
       result.shapes[s].is_flipped = in_.has_normals && 2 * std::size_t(opposed[s]) > result.shapes[s].size;
     }
-    const double units = double((std::max)(points, std::size_t(1))) * double(Score_item::tolerance_units);
+    const double units = double((std::max)(points, std::size_t(1))) * double(Score::tolerance_units);
     result.mean_distance = double(sum[Point_measures::distance]) / units;
   }
 

@@ -17,7 +17,6 @@
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -144,8 +144,7 @@ private:
       const Tolerance own = tolerance_.at(sample.level(i));
       const Nearer_plane nearer(split, p);
       sum.second += nearer.is_second;
-      sum.fit += nearer.most(own.distance) -
-                 (fits(whole, p, own) ? Score::weight({1, own.distance}, signed_distance(whole, p)) : 0);
+      sum.fit += nearer.most(own.distance) - (fits(whole, p, own) ? Score::weight(own, signed_distance(whole, p)) : 0);
       sum.continuity += continuity_at(split.first, split.second, p, own);
     });
     const double points = double(s.moments.count) / double(sample.size); // of the shape for one of the sample

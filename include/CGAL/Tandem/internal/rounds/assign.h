@@ -224,7 +224,7 @@ private:
     const Tolerance fit = cloud.tolerance_of(i, tolerance);
     std::int64_t most = 0;
     if(own < first_mark)
-      most = worth({1, fit.distance}, signed_distance(shape[own].plane, point), links);
+      most = worth(fit, signed_distance(shape[own].plane, point), links);
     while(n > 0) {
       const std::uint32_t t = other[n - 1];
       const int count = n;
@@ -239,7 +239,7 @@ private:
       const std::int64_t distance = signed_distance(shape[t].plane, point);
       if(distance > fit.distance || -distance > fit.distance)
         continue;
-      const std::int64_t w = worth({1, fit.distance}, distance, count - n) + more_bonus(own, t, point, fit);
+      const std::int64_t w = worth(fit, distance, count - n) + more_bonus(own, t, point, fit);
       if((best >= first_mark || w > most || (w == most && t < best)) &&
          is_aligned(shape[t].plane, point, fit.squared_cosine)) {
         most = w;
@@ -255,9 +255,9 @@ private:
   }
 
   // Of a surfel at a distance of the plane of a shape, with so many links to it.
-  CGAL_TANDEM_HD std::int64_t worth(const Score_item& item, std::int64_t distance, std::int64_t links) const
+  CGAL_TANDEM_HD std::int64_t worth(const Tolerance& fit, std::int64_t distance, std::int64_t links) const
   {
-    return Score::weight(item, distance) - score.links(links);
+    return Score::weight(fit, distance) - score.links(links);
   }
 
   // What one more point is worth to shape t, more than to shape s, as far as their surface is continuous there.

@@ -110,7 +110,7 @@ struct Candidates_view {
   CGAL_TANDEM_HD std::int64_t weight(const Plane& p, std::uint32_t i) const
   {
     const Tolerance own = cloud.tolerance_of(i, tolerance);
-    return fits(p, cloud.point[i], own) ? Score::weight({1, own.distance}, signed_distance(p, cloud.point[i])) : 0;
+    return fits(p, cloud.point[i], own) ? Score::weight(own, signed_distance(p, cloud.point[i])) : 0;
   }
 };
 

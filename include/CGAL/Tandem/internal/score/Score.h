@@ -49,22 +49,6 @@ CGAL_TANDEM_HD inline std::int64_t fixed_log2(std::uint64_t n)
   return (std::int64_t(exponent) << log2_bits) + table[entry] + std::int64_t((between + (1u << 25)) >> 26);
 }
 
-// What a point of the cloud counts, and its tolerance. That is in 2^-28 grid steps, as signed distances.
-struct Score_item {
-  static constexpr std::uint64_t tolerance_units = std::uint64_t(1) << 15;
-
-  std::int64_t weight, tolerance;
-
-  // A distance in units of a 2^15th of the tolerance, rounded. What is farther than the tolerance counts as that.
-  CGAL_TANDEM_HD std::uint64_t fraction_of(std::int64_t distance) const
-  {
-    const std::int64_t size = distance < 0 ? -distance : distance;
-    if(size >= tolerance)
-      return tolerance_units; // also where the product would overflow
-    return (std::uint64_t(size) * tolerance_units + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
-  }
-};
-
 // What is counted of labels: the rest of the score follows from the sizes of shapes and from their relations.
 struct Score_counts {
   std::int64_t fit = 0;                   // sum of the weights of points
@@ -94,6 +78,7 @@ inline Freedom_worth make_freedom_worth(double regularity, double minimum_size)
 class Score {
 public:
   static constexpr std::int64_t unit = tuning::score::unit;
+  static constexpr std::uint64_t tolerance_units = std::uint64_t(1) << 15;
 
   explicit Score(const Parameters& p) : Score(p.minimum_region_size, int(p.k_neighbors), p.simplicity, p.regularity) {}
 
@@ -106,15 +91,24 @@ public:
       freedom_(make_freedom_worth(regularity, double(minimum_size_)))
   {}
 
-  // Of a point at a distance in units of its tolerance.
-  CGAL_TANDEM_HD static std::int64_t weight_at(const Score_item& item, std::uint64_t fraction)
+  // A distance in units of a 2^15th of the tolerance, rounded. What is farther than the tolerance counts as that.
+  CGAL_TANDEM_HD static std::uint64_t fraction_of(const Tolerance& t, std::int64_t distance)
   {
-    constexpr std::uint64_t divisor = Score_item::tolerance_units * Score_item::tolerance_units / std::uint64_t(unit);
-    return item.weight * (unit - std::int64_t((fraction * fraction + divisor / 2) / divisor));
+    const std::int64_t size = distance < 0 ? -distance : distance;
+    if(size >= t.distance)
+      return tolerance_units; // also where the product would overflow
+    return (std::uint64_t(size) * tolerance_units + std::uint64_t(t.distance) / 2) / std::uint64_t(t.distance);
   }
-  CGAL_TANDEM_HD static std::int64_t weight(const Score_item& item, std::int64_t distance)
+
+  // Of a point at a distance in these units, and of one with this tolerance.
+  CGAL_TANDEM_HD static std::int64_t weight_at(std::uint64_t fraction)
   {
-    return weight_at(item, item.fraction_of(distance));
+    constexpr std::uint64_t divisor = tolerance_units * tolerance_units / std::uint64_t(unit);
+    return unit - std::int64_t((fraction * fraction + divisor / 2) / divisor);
+  }
+  CGAL_TANDEM_HD static std::int64_t weight(const Tolerance& t, std::int64_t distance)
+  {
+    return weight_at(fraction_of(t, distance));
   }
 
   // Of so many links between two shapes, and between a shape and free points.
@@ -188,7 +182,7 @@ CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b,
                                                  const Tolerance& t)
 {
   const std::int64_t product = normal_product(a, {b.nx, b.ny, b.nz}), sign = product < 0 ? -1 : 1;
-  const std::int64_t w = Score::weight({1, t.distance}, signed_distance(a, p) - sign * signed_distance(b, p));
+  const std::int64_t w = Score::weight(t, signed_distance(a, p) - sign * signed_distance(b, p));
   return w * w / Score::unit * alignment(product, t) / Score::unit;
 }
 
