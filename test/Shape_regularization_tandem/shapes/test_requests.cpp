@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
   check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
   check_stage("dropping", [](State& t, Link_buffer&) {
-    drop_shapes(t.points, t.shapes, [](const Shape& s) { return s.moments.count < 200; });
+    drop_shapes(t.points, t.shapes, [](const Shape& s, std::size_t) { return s.moments.count < 200; });
   });
   check_stage("a merge of shapes with those before them", [](State& t, Link_buffer&) {
     auto target = identity_targets(t.points.backend, t.shapes.size);
