@@ -42,11 +42,9 @@ struct Nearer_plane {
   }
 };
 
-// What a split changes: the sum of the weights of points, and what follows from the points of the second part and from
-// the contact of both.
+// What a split changes: the sum of the weights of points, and the links that it cuts. second: points of the second part.
 struct Split_account {
-  std::int64_t fit = 0, second = 0;
-  Contact contact;
+  std::int64_t fit = 0, second = 0, links = 0;
 };
 
 // The sampled points of a shape.
@@ -78,13 +76,10 @@ public:
     return per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
   }
 
-  // What a split gains. It grows with the fit.
-  CGAL_TANDEM_HD std::int64_t gain(const Shape& s, const Split& split, const Split_account& a) const
+  // What a split gains. The bonus of sizes does not count: parts that are worth it unite again.
+  CGAL_TANDEM_HD std::int64_t gain(const Split_account& a) const
   {
-    if(a.contact.links == 0)
-      return gain(s.moments.count, a, 0);
-    return gain(s.moments.count, a,
-                continuity_at(split.first, split.second, a.contact.center(), mean_tolerance(s, tolerance_)));
+    return a.fit + score_.price() + score_.links(a.links);
   }
 
   CGAL_TANDEM_HD Split operator()(const Shape& s, const Point_sample& sample, int start) const
@@ -115,42 +110,17 @@ private:
     return Lane_group::sum(sum);
   }
 
-  CGAL_TANDEM_HD std::int64_t gain(std::int64_t n, const Split_account& a, std::int64_t continuity) const
-  {
-    constexpr std::int64_t one = 256; // no overflow of products with sizes
-    const std::int64_t size = score_.size_bonus(n - a.second) + score_.size_bonus(a.second) - score_.size_bonus(n);
-    return continuity / (Score::unit / one) * size / one + a.fit + score_.price() +
-           score_.links(std::int64_t(a.contact.links));
-  }
-
-  // Sums over a sample.
-  struct Sample_sums {
-    std::int64_t second = 0, fit = 0, continuity = 0;
-
-    CGAL_TANDEM_HD void operator+=(const Sample_sums& s)
-    {
-      second += s.second;
-      fit += s.fit;
-      continuity += s.continuity;
-    }
-  };
-
-  // Whether it gains by the sample if it cuts no links, and if the surface is as continuous at the contact as elsewhere.
-  // So noise is rarely tried by all points.
+  // Whether it gains by the sample if it cuts no links. So noise is rarely tried by all points.
   CGAL_TANDEM_HD bool may_gain(const Shape& s, const Point_sample& sample, const Plane& whole, const Split& split) const
   {
-    const Sample_sums sums = sum_of<Sample_sums>(sample, [&](std::uint32_t i, Sample_sums& sum) {
+    const auto fit = sum_of<std::int64_t>(sample, [&](std::uint32_t i, std::int64_t& sum) {
       const Grid_point& p = sample[i];
       const Tolerance own = tolerance_.at(sample.level(i));
-      const Nearer_plane nearer(split, p);
-      sum.second += nearer.is_second;
-      sum.fit += nearer.most(own.distance) - (fits(whole, p, own) ? Score::weight(own, signed_distance(whole, p)) : 0);
-      sum.continuity += continuity_at(split.first, split.second, p, own);
+      sum += Nearer_plane(split, p).most(own.distance) -
+             (fits(whole, p, own) ? Score::weight(own, signed_distance(whole, p)) : 0);
     });
     const double points = double(s.moments.count) / double(sample.size); // of the shape for one of the sample
-    const Split_account of_shape = {
-      std::int64_t(points * double(sums.fit)), std::int64_t(points * double(sums.second)), {}};
-    return gain(s.moments.count, of_shape, sums.continuity / sample.size) > 0;
+    return gain({std::int64_t(points * double(fit)), 0, 0}) > 0;
   }
 
   // The moments of those points of a sample that are in the second half, and of the others.

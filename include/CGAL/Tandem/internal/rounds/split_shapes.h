@@ -222,7 +222,7 @@ struct Sum_accounts {
       [&](std::uint32_t t, const Split_account& a) {
         Backend::atomic_add(sum[t].fit, a.fit);
         Backend::atomic_add(sum[t].second, a.second);
-        atomic_add<Backend>(sum[t].contact, a.contact);
+        Backend::atomic_add(sum[t].links, a.links);
       });
   }
 
@@ -244,8 +244,7 @@ private:
       Split_account& sum = run.sum[t];
       sum.fit += points * (view.weight(is_second ? split.second : split.first, i) - before);
       sum.second += is_second ? points : 0;
-      if(const std::uint64_t links = cut >> 8 * t & 255u; links > 0)
-        sum.contact.add(links * cloud.surfels.edge_weight(i), cloud.point[i]);
+      sum.links += std::int64_t(cut >> 8 * t & 255u) * cloud.surfels.edge_weight(i);
     }
   }
 };
@@ -262,17 +261,16 @@ struct Choose_split {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const Shape& s = shape[id[i]];
     std::size_t best = 0;
     for(std::size_t t = i * Split_trials::starts; t < (i + 1) * Split_trials::starts; ++t) {
-      const std::int64_t g = trials.gain(s, trial[t], account[t]);
+      const std::int64_t g = trials.gain(account[t]);
       if(t % Split_trials::starts == 0 || g > gain[i]) {
         best = t;
         gain[i] = g;
       }
     }
     split[i] = trial[best];
-    if(2 * account[best].second > s.moments.count)
+    if(2 * account[best].second > shape[id[i]].moments.count)
       split[i] = {trial[best].second, trial[best].first};
   }
 };
