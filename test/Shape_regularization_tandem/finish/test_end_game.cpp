@@ -60,6 +60,44 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
 }
 
+// Small components become free before: the plane is in the middle of the points that the shape keeps.
+BOOST_AUTO_TEST_CASE(center_of_large_components)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    if(!f.level.empty())
+      return; // tolerances are weights
+    Labeled_cloud<decltype(backend)> points(backend);
+    Stage_parameters options = Stage_parameters();
+    options.minimum_region_size = 3;
+    options.growth.cell_size = take_cloud(f, points);
+    options.growth.tolerance = make_tolerance(1e6, 0); // so that there are no misfits
+    set_labels(points, f.label);
+    auto shapes = make_table(backend, f.shapes_of_labels(f.plane.size()));
+    shapes.plane = to_buffer(backend, f.plane);
+    Shape_relations relations;
+    for(std::uint32_t s = 0; s < f.plane.size(); ++s) {
+      relations.id.push_back(s);
+      relations.relations.plane_of.push_back(int(s));
+      relations.relations.planes.push_back({{0, 0, 1}, 0});
+    }
+    center_shapes(points, shapes, options, relations);
+    std::vector<double> sum(f.plane.size(), 0), count(f.plane.size(), 0);
+    std::size_t freed = 0;
+    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
+      const std::uint32_t s = points.label()[i];
+      freed += f.label[i] < first_mark && s >= first_mark;
+      if(s < first_mark) {
+        sum[s] += f.point[i].z;
+        ++count[s];
+      }
+    }
+    CHECK_AT(f.cloud.size < 100 || freed > 0, name + ": no small component");
+    for(std::size_t s = 0; s < sum.size(); ++s)
+      CHECK_AT(count[s] == 0 || std::fabs(sum[s] / count[s] - relations.relations.planes[s].offset) < 1e-3,
+               name + ": plane of shape " + std::to_string(s));
+  });
+}
+
 // k times the weight of each point, minus 3/2 of what its neighbors of other labels beyond epsilon of its plane
 // count: free ones 1, others by how far they are from their own planes.
 std::vector<std::int64_t> slow_balances(const Fixture& f, const std::vector<std::uint32_t>& points)

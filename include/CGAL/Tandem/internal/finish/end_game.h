@@ -27,12 +27,13 @@
 
 namespace CGAL::Tandem::internal {
 
-// --- Connected components become shapes: the largest one of a shape keeps its id. Changes labels and the table of
-// shapes. See the manual, "Components".
+// --- Connected components. Changes labels and the table of shapes. See the manual, "Components".
 
-// Afterwards each shape is a component of at least the minimum size.
+// Components below the minimum size become free. The others become shapes, if that is wanted: the largest one of a shape
+// keeps its id. Otherwise a shape may have several.
 template <class Backend>
-void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
+                         bool become_shapes)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
@@ -42,7 +43,8 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   std::vector<char> has_id(shapes.size, 0);
   std::size_t next = shapes.size;
   for(Component& c : components)
-    c.entry = std::exchange(has_id[c.entry], 1) ? std::uint32_t(next++) : c.entry;
+    if(std::exchange(has_id[c.entry], 1) && become_shapes)
+      c.entry = std::uint32_t(next++);
   add_shapes(backend, shapes, next - shapes.size);
   auto number = filled_buffer(backend, n, no_index);
   const auto named = to_buffer(backend, components);
@@ -218,7 +220,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     assign(shapes, options);
   };
   drop_clutter();
-  separate_components(points, shapes, options);
+  separate_components(points, shapes, options, true);
   drop_clutter();
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
   while(unite(points, shapes, options)) {      // ends, since unions leave fewer shapes, and an assignment makes none
@@ -243,13 +245,14 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   return relations;
 }
 
-// The offsets of planes become those that fit the points of their shapes best. Surfels that do not fit any more are
-// free.
+// The offsets of planes become those that fit the points of their shapes best, but for small components, which the result
+// does not have. Surfels that do not fit any more are free.
 template <class Backend>
 void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Shape_relations& relations)
 {
   Backend& backend = points.backend;
+  separate_components(points, shapes, options, false);
   update_tables(points, shapes, tables::fits);
   center_planes(summarize(backend, shapes, to_buffer(backend, relations.id)), relations.relations);
   apply_relations(backend, shapes, relations);
