@@ -18,6 +18,8 @@
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
+#include <array>
+#include <map>
 #include <utility>
 
 namespace CGAL::Tandem::internal {
@@ -104,18 +106,18 @@ private:
   }
 
   // Directions and planes are numbered in the order in which the shapes have them first. So numbers do not depend on
-  // how the relations were found, and none is unused.
+  // how the relations were found, and none is unused. Equal planes have one number, found as relations or not.
   void number_groups(const std::vector<Component>& components, Engine_result& result) const
   {
-    const Relations& relations = relations_.relations;
-    std::vector<int> direction(relations.directions.size(), -1), plane(relations.planes.size(), -1);
-    int directions = 0, planes = 0;
-    for(const Component& c : components) {
-      const std::size_t d = std::size_t(relations.direction_of[c.entry]);
-      const std::size_t p = std::size_t(relations.plane_of[c.entry]);
-      direction[d] = direction[d] < 0 ? directions++ : direction[d];
-      plane[p] = plane[p] < 0 ? planes++ : plane[p];
-      result.shapes.push_back({coefficients_[c.entry], direction[d], plane[p], c.size, false});
+    std::map<std::array<double, 3>, int> direction;
+    std::map<Coefficients, int> plane;
+    const auto number = [](auto& numbers, const auto& key) {
+      return numbers.emplace(key, int(numbers.size())).first->second;
+    };
+    for(const Component& component : components) {
+      const Coefficients& c = coefficients_[component.entry];
+      const int d = number(direction, std::array<double, 3>{c[0], c[1], c[2]});
+      result.shapes.push_back({c, d, number(plane, c), component.size, false});
     }
   }
 
