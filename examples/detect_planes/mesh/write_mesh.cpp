@@ -8,6 +8,8 @@
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
+#include <set>
+
 namespace program {
 
 namespace {
@@ -90,7 +92,8 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
     throw_error("--mesh: no volume was found that ", number_of(surface.number_of_planes, usable), " enclose",
                 (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
   write_surface(out, surface, lower_case_extension(o.mesh));
-  return {surface.number_of_planes, surface.faces.size(), usable, surface.number_of_points};
+  const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
+  return {with_faces.size() - with_faces.count(-1), surface.faces.size(), usable, surface.number_of_points};
 }
 
 } // namespace program

@@ -24,8 +24,9 @@ Shapes joined_shapes(const Point_set& points, const Shapes& shapes);
 // Of the entries without polygons: a sentence.
 inline std::string why_empty(const Shape_areas& areas)
 {
-  return sentence(areas.number_of_empty_entries(), " of ", areas.number_of_entries(),
-                  " shapes have too few points for an outline: --polygons has no polygons for them");
+  const std::size_t n = areas.number_of_empty_entries();
+  return sentence(n, " of ", areas.number_of_entries(), " shapes ", n == 1 ? "has" : "have",
+                  " too few points for an outline: --polygons has no polygons for ", n == 1 ? "it" : "them");
 }
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.

@@ -64,7 +64,8 @@ the defaults then
   \cgalParamNEnd
   \cgalParamNBegin{angle_tolerance}
     \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45). No
-    plane is turned farther from the fit of its points.}
+    plane is turned farther from the fit of the points that its shape has at that time; points may come and go
+    afterwards.}
     \cgalParamDefault{8}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}

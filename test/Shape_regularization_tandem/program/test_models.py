@@ -180,7 +180,7 @@ def test_polygons_of_other_formats(p):
     assert '"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25833"}}' in p.read("named.json")
     # Shapes without a polygon are counted.
     p.warns("few.xyz --maximum-distance .1 --minimum-region-size 10 --polygons few.json",
-            "1 of 1 shapes have too few points for an outline")
+            "1 of 1 shapes has too few points for an outline")
 
 
 @table("exponent", [-520, 520])
