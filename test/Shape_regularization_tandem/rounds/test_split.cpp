@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdlib>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -52,30 +53,21 @@ struct Slow_trial {
         continue;
       account.fit += points[i] * (weight(smooth[i] ? split.second : split.first, i) - weight(f.plane[id], i));
       account.second += smooth[i] ? points[i] : 0;
-      f.for_each_neighbor(i, [&](std::uint32_t q) {
-        if(f.label[q] == id && smooth[q] != smooth[i])
-          account.contact.add(points[i], f.point[i]);
-      });
+      f.for_each_neighbor(
+        i, [&](std::uint32_t q) { account.links += f.label[q] == id && smooth[q] != smooth[i] ? points[i] : 0; });
     }
   }
 
-  double gain(const Shape& shape, const Split& split, const Stage_parameters& options) const
+  std::int64_t gain(const Stage_parameters& options) const
   {
-    const double n = double(shape.moments.count);
-    const auto bonus = [&](double size) { return double(options.score.size_bonus(std::int64_t(size))); };
-    const double second = double(account.second), links = double(account.contact.links);
-    const Tolerance tolerance = mean_tolerance(shape, options.growth.tolerance);
-    const std::int64_t c =
-      links > 0 ? continuity_at(split.first, split.second, account.contact.center(), tolerance) / 16 : 0;
-    return std::trunc(double(c) / 256 * (bonus(n - second) + bonus(second) - bonus(n))) + double(account.fit) +
-           double(options.score.price() + options.score.links(std::int64_t(links)));
+    return account.fit + options.score.price() + options.score.links(account.links);
   }
 };
 
 struct Slow_split {
   std::uint32_t id;
   Split best;
-  double gain;
+  std::int64_t gain;
 };
 
 std::vector<Sampled_point> sample_of(const Fixture& f, const Shape& shape, std::uint32_t id, std::uint32_t first)
@@ -109,11 +101,11 @@ std::vector<Slow_split> slow_splits(const Fixture& f, const std::vector<Shape>& 
     if(!may_split)
       continue;
     const std::vector<Sampled_point> sample = sample_of(f, shape[id], id, first);
-    Slow_split best = {id, {}, -HUGE_VAL};
+    Slow_split best = {id, {}, std::numeric_limits<std::int64_t>::min()};
     for(int start = 0; start < Split_trials::starts; ++start) {
       Split split = trials(shape[id], {sample.data(), std::uint32_t(sample.size())}, start);
       const Slow_trial trial(f, id, split, ones);
-      const double gain = trial.gain(shape[id], split, options);
+      const std::int64_t gain = trial.gain(options);
       if(2 * trial.account.second > shape[id].moments.count)
         std::swap(split.first, split.second);
       if(split.is_any() && gain > best.gain)
@@ -284,14 +276,12 @@ BOOST_AUTO_TEST_CASE(parts_and_accounts)
       CHECK_AT(most[t] >= expected[t].fit, where + "bound of the fit");
       if(t < starts) {
         check_equal(got[t].fit, std::int64_t(0), where + "fit of a trial that is left out");
-        check_equal(got[t].contact.links, std::uint64_t(0), where + "links of a trial that is left out");
+        check_equal(got[t].links, std::int64_t(0), where + "links of a trial that is left out");
         continue;
       }
       check_equal(got[t].fit, expected[t].fit, where + "fit");
       check_equal(got[t].second, expected[t].second, where + "points of the second part");
-      check_equal(got[t].contact.links, expected[t].contact.links, where + "links");
-      for(int d : {0, 1, 2})
-        check_equal(got[t].contact.position[d], expected[t].contact.position[d], where + "position");
+      check_equal(got[t].links, expected[t].links, where + "links");
     }
   });
 }

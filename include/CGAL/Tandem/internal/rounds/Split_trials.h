@@ -110,17 +110,36 @@ private:
     return Lane_group::sum(sum);
   }
 
-  // Whether it gains by the sample if it cuts no links. So noise is rarely tried by all points.
+  // Sums over a sample.
+  struct Sample_sums {
+    std::int64_t second = 0, fit = 0, continuity = 0;
+
+    CGAL_TANDEM_HD void operator+=(const Sample_sums& s)
+    {
+      second += s.second;
+      fit += s.fit;
+      continuity += s.continuity;
+    }
+  };
+
+  // Whether it gains by the sample if it cuts no links, and the bonus of sizes counts by the mean continuity: planes
+  // through noise are near each other everywhere. So noise is rarely tried by all points.
   CGAL_TANDEM_HD bool may_gain(const Shape& s, const Point_sample& sample, const Plane& whole, const Split& split) const
   {
-    const auto fit = sum_of<std::int64_t>(sample, [&](std::uint32_t i, std::int64_t& sum) {
+    const auto sums = sum_of<Sample_sums>(sample, [&](std::uint32_t i, Sample_sums& sum) {
       const Grid_point& p = sample[i];
       const Tolerance own = tolerance_.at(sample.level(i));
-      sum += Nearer_plane(split, p).most(own.distance) -
-             (fits(whole, p, own) ? Score::weight(own, signed_distance(whole, p)) : 0);
+      const Nearer_plane nearer(split, p);
+      sum.second += nearer.is_second;
+      sum.fit += nearer.most(own.distance) - (fits(whole, p, own) ? Score::weight(own, signed_distance(whole, p)) : 0);
+      sum.continuity += continuity_at(split.first, split.second, p, own);
     });
     const double points = double(s.moments.count) / double(sample.size); // of the shape for one of the sample
-    return gain({std::int64_t(points * double(fit)), 0, 0}) > 0;
+    const auto fit = std::int64_t(points * double(sums.fit)), second = std::int64_t(points * double(sums.second));
+    const std::int64_t bonus =
+      score_.size_bonus(s.moments.count - second) + score_.size_bonus(second) - score_.size_bonus(s.moments.count);
+    constexpr std::int64_t one = 256; // no overflow of products with sizes
+    return fit + score_.price() + sums.continuity / sample.size / (Score::unit / one) * bonus / one > 0;
   }
 
   // The moments of those points of a sample that are in the second half, and of the others.
