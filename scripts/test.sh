@@ -44,7 +44,9 @@ run_dev()
 
 run_long()
 {
-  install help2man nodejs npm chromium dpkg-dev mmdebstrap || echo "not all can be installed: some tests will be skipped"
+  for package in help2man nodejs npm chromium dpkg-dev mmdebstrap; do
+    install $package || echo "$package cannot be installed: some tests will be skipped"
+  done
   scripts/install_playwright.sh build/playwright || echo "playwright-core cannot be installed: clicks are not tested"
   workflow long
 }
