@@ -158,7 +158,7 @@ inline void add_result_options(po::options_description& group, Options& o, const
   add(group, "shapes", text_option(o.shapes, "FILE"),
       "a table .csv with a line for each shape: points, plane, centroid, area, length and width, lowest and highest "
       "point, "
-      "tilt, dip and azimuth, distances, how far they are from the fit of the points, uncertainty, parallel and "
+      "tilt, dip and azimuth, distances, how far the plane is from the fit of the points, uncertainty, parallel and "
       "coplanar group. Upward is z, or --symmetry-direction");
   add(group, "by-plane", po::bool_switch(&o.is_by_plane),
       "join coplanar shapes: all outputs have one shape for each plane");

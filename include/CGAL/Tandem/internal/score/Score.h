@@ -176,8 +176,8 @@ CGAL_TANDEM_HD inline std::int64_t alignment(std::int64_t normal_product, const 
 
 // How continuous the surface of two planes is at a point, in units: 1 where they meet and do not turn, 0 where the step
 // between them is epsilon, or the angle alpha, or more. For the step it is the product of the weights that two points
-// there have, each on the plane of the other. Of what a move changes, the bonus of sizes counts as far as the surface
-// is continuous: so a slight bend is no reason to cut a face, and size is no reason to join layers.
+// there have, each on the plane of the other. In unions and assignments the bonus of sizes counts as far as the surface
+// is continuous: so the parts of a slight bend unite, and size is no reason to join layers.
 CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b, const Grid_point& p,
                                                  const Tolerance& t)
 {
@@ -186,7 +186,7 @@ CGAL_TANDEM_HD inline std::int64_t continuity_at(const Plane& a, const Plane& b,
   return w * w / Score::unit * alignment(product, t) / Score::unit;
 }
 
-// The contact of two shapes, or of two parts of one: its links, and the sum of the positions of their surfels.
+// The contact of two shapes: its links, and the sum of the positions of their surfels.
 struct Contact {
   std::uint64_t links = 0;
   std::int64_t position[3] = {0, 0, 0}; // in grid steps
