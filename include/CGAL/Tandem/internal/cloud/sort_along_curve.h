@@ -131,7 +131,18 @@ struct Code_frame {
                         std::uint32_t(p.z - low[2]) & mask);
   }
 
+  // Whether two points are in one octant, `up` levels above the finest octants, or the smallest cells of surfels.
+  CGAL_TANDEM_HD bool share_octant(const Grid_point& p, const Grid_point& q, int up) const
+  {
+    return ((place(p.x, 0) ^ place(q.x, 0)) | (place(p.y, 1) ^ place(q.y, 1)) | (place(p.z, 2) ^ place(q.z, 2))) >> up == 0;
+  }
+
 private:
+  CGAL_TANDEM_HD std::uint32_t place(std::int32_t x, int axis) const
+  {
+    return has_surfels() ? cell(x, axis) : std::uint32_t(x - low[axis]) >> shift;
+  }
+
   // From the code of the smallest cell around a point: that of its own cell, and its face as the octant below. Digits
   // of 6 below that are the mark of larger cells.
   CGAL_TANDEM_HD std::uint64_t surfel_code(std::uint64_t code, std::uint32_t face, std::uint8_t level) const

@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/make_surfels.h>
+#include <CGAL/Tandem/internal/neighbors/cross_scan_lines.h>
 #include <CGAL/Tandem/internal/neighbors/cut_wall_sides.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/join_surfels.h>
@@ -100,6 +101,8 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
   find_rows(points, rings, [&] { in.drop_upload(); }); // the values come back while a device searches
   if(join_surfels(points.backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
     find_rows(points, rings);
+  cross_scan_lines(points.backend, points.cloud, make_code_frame(in.low, in.high, in.surfel_cells),
+                   double(tight.distance) / normal_scale * 4);
   if(in.has_normals)
     cut_wall_sides(points.backend, points.ranks, points.cloud, tight);
 }

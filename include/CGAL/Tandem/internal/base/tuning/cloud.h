@@ -48,6 +48,20 @@ constexpr Ratio joined = {3, 10};
 
 } // namespace surfels
 
+// Neighbors across scan lines. See cross_scan_lines.h.
+namespace scan_lines {
+
+// The squared width of a neighborhood that is a line, over its squared length.
+constexpr double width2_of_length2 = 1. / 32;
+// ... and the width, in epsilons, that noise gives to a line.
+constexpr double width_of_noise = .45;
+// There are scan lines where more than this ratio of the neighborhoods are lines.
+constexpr Ratio of_cloud = {1, 20};
+// Surfels of which one is looked at.
+constexpr std::size_t surfels_per_sampled = 8;
+
+} // namespace scan_lines
+
 // Whether given normals are oriented. See cut_wall_sides.h.
 namespace orientation {
 
