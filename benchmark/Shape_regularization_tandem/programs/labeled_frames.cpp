@@ -196,6 +196,7 @@ try {
   Judge judge(knobs, parts);
   judge.judge("labeled frames", scenes::labeled_frames());
   judge.judge("scenes", scenes::labeled_scenes());
+  judge.judge("scan lines", scenes::labeled_scan_lines());
   judge.judge_walls();
   if(!csv.empty())
     write_csv(csv, judge.rows());

@@ -65,6 +65,33 @@ Labeled_scene roof(const std::string& kind, unsigned points)
   return {group, "roof-" + kind + "-" + std::to_string(points), make, 0.15, cosine_9, minimum};
 }
 
+// By a lidar of 30 degrees in height, 1800 points a turn, with a noise in metres.
+Labeled_scene lidar_frame(const std::string& place, unsigned beams, bool is_tilted, double noise, std::uint64_t seed)
+{
+  const auto make = [=] {
+    const Model model = place == "room" ? make_office() : make_model("village");
+    Frame pose = Frame().at(model.scanners.front());
+    if(is_tilted)
+      pose = pose.turned({0.6, 0.8, 0}, 0.22);
+    return scan(model, {Sensor_kind::lidar, pose, 1800, beams, 6.283185307179586, 0.5235987755982988,
+                        -0.2617993877991494, noise, seed});
+  };
+  const std::string name = "lidar-" + place + "-" + std::to_string(beams) + (is_tilted ? "-tilted" : "-level") + "-" +
+                           std::to_string(int(1000 * noise + .5)) + "mm";
+  return {"lidar " + place, name, make, 3 * noise, cosine_9, 50};
+}
+
+// Points .004 apart, on lines so many times as far.
+Labeled_scene profiles(unsigned times)
+{
+  const auto make = [=] {
+    const Frame office = Frame().turned({0, 0, 1}, 0.17);
+    const Frame pose = office.at({1.6, 0.4, 1.4}).turned({0, 1, 0}, -0.17);
+    return scan(make_office(), {Sensor_kind::profiler, pose, 750, unsigned(1050 / times), 3, 4.2, 0, 0.001, times});
+  };
+  return {"profiles", "profiles-" + std::to_string(times), make, 0.005, cosine_9, 50};
+}
+
 struct Scene_kind {
   std::string name, model;
   double noise, outliers, normal_noise_deg, epsilon, alpha_deg;
@@ -154,6 +181,18 @@ std::vector<Labeled_scene> labeled_scenes(std::size_t points)
     list.push_back(scene(kind, points, 1));
   for(std::uint64_t seed = 1; seed <= 5; ++seed)
     list.push_back(scene({"noisy house", "house", 0.002, 0.2, 8, 0.2, cosine_8, false}, points, seed));
+  return list;
+}
+
+std::vector<Labeled_scene> labeled_scan_lines()
+{
+  std::vector<Labeled_scene> list;
+  for(const char* place : {"room", "street"})
+    for(unsigned beams : {16u, 32u, 64u, 128u})
+      for(bool is_tilted : {false, true})
+        list.push_back(lidar_frame(place, beams, is_tilted, 0.01 * double(1 + list.size() % 3), 801 + list.size()));
+  for(unsigned times : {5u, 15u, 50u})
+    list.push_back(profiles(times));
   return list;
 }
 

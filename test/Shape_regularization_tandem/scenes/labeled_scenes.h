@@ -29,6 +29,10 @@ std::vector<Labeled_scene> labeled_frames();
 // House, part, indoor and village, and a noisy house with five seeds.
 std::vector<Labeled_scene> labeled_scenes(std::size_t points = 100000);
 
+// Rooms and streets before spinning lidars of 16 to 128 beams, level and tilted, and a room before a profile scanner: lines
+// that are 2 to 80 times farther apart than their points.
+std::vector<Labeled_scene> labeled_scan_lines();
+
 // Large walls in rooms and halls and on roofs, with noise of .1 to 1/3 epsilon. One face: they bend and bow by .2 to .6
 // epsilon, or two scans are up to .9 epsilon apart. Layers: low steps, of .8 and 1 epsilon; steps, boards and strips of
 // 1.1 and 1.3 epsilon. Only the faces of the walls have labels.

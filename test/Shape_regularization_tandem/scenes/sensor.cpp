@@ -75,7 +75,7 @@ double cosine(double angle) { return series(angle, 26); }
 Ray ray_of(const Sensor& sensor, double u, double v)
 {
   const Frame& pose = sensor.pose;
-  if(sensor.kind == Sensor_kind::aerial)
+  if(sensor.kind == Sensor_kind::aerial || sensor.kind == Sensor_kind::profiler)
     return {pose.point({u * sensor.width, v * sensor.height, 0}), -1. * pose.z};
   if(sensor.kind == Sensor_kind::camera)
     return {pose.origin, unit(pose.vector({(u - 0.5) * sensor.width, (v - 0.5) * sensor.height, 1}))};
@@ -86,7 +86,7 @@ Ray ray_of(const Sensor& sensor, double u, double v)
 
 double noise_of(const Sensor& sensor, double distance)
 {
-  if(sensor.kind == Sensor_kind::aerial)
+  if(sensor.kind != Sensor_kind::scanner && sensor.kind != Sensor_kind::camera)
     return sensor.noise;
   const double relative = distance / 3;
   return sensor.noise * (sensor.kind == Sensor_kind::camera ? relative * relative : relative);
@@ -104,7 +104,7 @@ void split_faces(const Sensor& sensor, const std::vector<std::int32_t>& pixel, c
     return i;
   };
   const int columns = int(sensor.columns), rows = int(sensor.rows);
-  const bool turns = sensor.kind == Sensor_kind::scanner && sensor.width > 6.28;
+  const bool turns = (sensor.kind == Sensor_kind::scanner || sensor.kind == Sensor_kind::lidar) && sensor.width > 6.28;
   for(int row = 0; row < rows; ++row)
     for(int column = 0; column < columns; ++column)
       for(int r = row; r <= (std::min)(row + 2, rows - 1); ++r)

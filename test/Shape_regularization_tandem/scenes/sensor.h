@@ -14,7 +14,9 @@ namespace CGAL::Tandem::scenes {
 enum class Sensor_kind {
   scanner, // turns about the z axis; rows are elevations. Noise grows with the distance
   camera,  // of depth; looks along the z axis. Noise grows with the square of the distance
-  aerial   // looks down along -z from a rectangle in the xy plane, at a random place of each square. Constant noise
+  aerial,  // looks down along -z from a rectangle in the xy plane, at a random place of each square. Constant noise
+  lidar,   // turns as a scanner; few rows, which are far apart, as beams are. Constant noise
+  profiler // looks down from a rectangle, at the middle of each square; rows are profiles. Constant noise
 };
 
 struct Sensor {
@@ -23,7 +25,7 @@ struct Sensor {
   unsigned columns, rows;
   double width, height; // radians of azimuth and elevation; tangents of both sides of the image; lengths
   double lowest = 0;    // elevation of the first row of a scanner
-  double noise = 0;     // sigma at a distance of three units; of an aerial sensor: everywhere
+  double noise = 0;     // sigma at a distance of three units; constant noise: everywhere
   std::uint64_t seed = 1;
 };
 

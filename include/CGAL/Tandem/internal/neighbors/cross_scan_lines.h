@@ -20,14 +20,16 @@ namespace CGAL::Tandem::internal {
 // Whether neighborhoods are lines: narrow against their length, or against the noise, which gives a line a width.
 struct Line_test {
   double noise2; // squared grid steps, at epsilon
+  double ratio = tuning::scan_lines::width2_of_length2;
 
   CGAL_TANDEM_HD bool operator()(const Neighborhood& h, double tolerance_factor) const
   {
     const covariance::Matrix c = covariance::cofactors({h.xx, h.xy, h.xz, h.yy, h.yz, h.zz});
     // With variances a >= b >= c, a + b + c, and a b + b c + c a.
     const double sum = double(h.xx) + h.yy + h.zz, product = double(c.xx) + c.yy + c.zz;
-    const double narrow = tuning::scan_lines::width2_of_length2 * sum, noise = noise2 * tolerance_factor * tolerance_factor;
-    return !(product > (narrow > noise ? narrow : noise) * sum);
+    const double narrow = ratio * sum, noise = noise2 * tolerance_factor * tolerance_factor;
+    const double noisy = 4 * narrow < noise ? 4 * narrow : noise;
+    return !(product > (narrow > noisy ? narrow : noisy) * sum);
   }
 };
 
@@ -224,7 +226,7 @@ void cross_scan_lines(Backend& backend, Sorted_cloud<Backend>& cloud, const Code
     find_neighbors(backend, point.data(), std::uint32_t(n), view.k, neighbor.data());
     const Thinned_view thinned = {point.data(), surfel.data(), neighbor.data(), std::uint32_t(n), view.k};
     Buffer_of<Backend, std::uint8_t> is_wide(n);
-    backend.for_each(n, Mark_wide{thinned, view, test, direction.data(), is_wide.data()});
+    backend.for_each(n, Mark_wide{thinned, view, {test.noise2, std::getenv("R") ? std::atof(std::getenv("R")) : test.ratio}, direction.data(), is_wide.data()});
     backend.for_each(view.size, Cross_lines{view, thinned, is_wide.data(), is_line.data(), cloud.neighbor.data()});
     const auto left = backend.template sum<1>(view.size, Count_marked{is_line.data()});
     if(std::getenv("SL")) std::fprintf(stderr, "level %d: %zu points, %ld left\n", level, n, long(left[0]));
