@@ -74,13 +74,20 @@ void write_to(Backend& backend, const std::vector<T>& values, T* table)
   backend.for_each(values.size(), Copy_items<T>{buffer.data(), table});
 }
 
+// The first items, and room for others.
+template <class T, class Backend>
+Buffer_of<Backend, T> resized(Backend& backend, const Buffer_of<Backend, T>& table, std::size_t kept, std::size_t size)
+{
+  Buffer_of<Backend, T> other(size);
+  backend.for_each(kept, Copy_items<T>{table.data(), other.data()});
+  return other;
+}
+
 // The items, and room for more.
 template <class T, class Backend>
 Buffer_of<Backend, T> extended(Backend& backend, const Buffer_of<Backend, T>& table, std::size_t size)
 {
-  Buffer_of<Backend, T> larger(size);
-  backend.for_each(table.size(), Copy_items<T>{table.data(), larger.data()});
-  return larger;
+  return resized<T>(backend, table, table.size(), size);
 }
 
 // The items at these places.

@@ -134,7 +134,9 @@ struct Code_frame {
   // Whether two points are in one octant, `up` levels above the finest octants, or the smallest cells of surfels.
   CGAL_TANDEM_HD bool share_octant(const Grid_point& p, const Grid_point& q, int up) const
   {
-    return ((place(p.x, 0) ^ place(q.x, 0)) | (place(p.y, 1) ^ place(q.y, 1)) | (place(p.z, 2) ^ place(q.z, 2))) >> up == 0;
+    return ((place(p.x, 0) ^ place(q.x, 0)) | (place(p.y, 1) ^ place(q.y, 1)) | (place(p.z, 2) ^ place(q.z, 2))) >>
+             up ==
+           0;
   }
 
 private:

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sorted cloud, and the neighbor graph on which shapes grow, and by which a result is checked: of surfels, on both sides of thin walls
-// apart. Fills the rows of the cloud, with ghosts, and joins surfels. See the manual, "Surfels" and
-// "Wall Sides".
+// The sorted cloud, and the neighbor graph on which shapes grow, and by which a result is checked: of surfels, across scan
+// lines, on both sides of thin walls apart. Fills the rows of the cloud, with ghosts, and joins surfels. See the manual,
+// "Surfels", "Scan Lines" and "Wall Sides".
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_CONNECT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_CONNECT_CLOUD_H
@@ -17,6 +17,7 @@
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/join_surfels.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 
 #include <vector>
 
@@ -81,30 +82,20 @@ void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_clo
 
 // --- The neighbor graph.
 
-// Writes the rows of neighbors. meanwhile() is called while a device searches.
-template <class Backend, class Meanwhile = Nothing>
-void find_rows(Labeled_cloud<Backend>& points, int rings, Meanwhile meanwhile = Meanwhile())
-{
-  Sorted_cloud<Backend>& cloud = points.cloud;
-  cloud.neighbor.reset(cloud.number_of_surfels() * std::size_t(cloud.k));
-  find_neighbors(points.backend, cloud.point.data(), std::uint32_t(cloud.number_of_surfels()), cloud.k,
-                 cloud.neighbor.data());
-  meanwhile();
-  points.ranks.connect(cloud, rings);
-}
-
 // The points have been sorted, and cloud.k is set. The values that a device has are dropped.
 template <class Backend>
-void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& tight)
+void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Stage_parameters& parameters)
 {
-  const int rings = in.has_normals ? 1 : 3;            // normals are estimated from neighbors of neighbors
-  find_rows(points, rings, [&] { in.drop_upload(); }); // the values come back while a device searches
-  if(join_surfels(points.backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
-    find_rows(points, rings);
-  cross_scan_lines(points.backend, points.cloud, make_code_frame(in.low, in.high, in.surfel_cells),
-                   double(tight.distance) / normal_scale * 4);
+  Backend& backend = points.backend;
+  const int rings = in.has_normals ? 1 : 3; // normals are estimated from neighbors of neighbors
+  find_rows(backend, points.ranks, points.cloud, rings,
+            [&] { in.drop_upload(); }); // the values come back while a device searches
+  if(join_surfels(backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
+    find_rows(backend, points.ranks, points.cloud, rings);
+  cross_scan_lines(backend, points.ranks, points.cloud, points.cells, make_code_frame(in.low, in.high, in.surfel_cells),
+                   parameters.maximum_distance_steps, rings);
   if(in.has_normals)
-    cut_wall_sides(points.backend, points.ranks, points.cloud, tight);
+    cut_wall_sides(backend, points.ranks, points.cloud, parameters.tight);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -59,34 +59,29 @@ public:
   void connect(Cloud& cloud, int rings)
   {
     const std::uint32_t n = std::uint32_t(cloud.number_of_surfels());
-    ghosts_ = std::make_shared<Ghosts<Backend>>(*backend_, n);
-    std::vector<std::uint32_t> ghost_rows;
+    std::vector<Remote_entry> remote;
     {
       const Host_view<Backend, const Grid_point> point(*backend_, cloud.point.data(), n);
-      Host_view<Backend, std::uint32_t> rows(*backend_, cloud.neighbor.data(), cloud.neighbor.size());
-      const std::vector<Remote_entry> remote =
-        Border_search<Search_host<Local>>(communicator(), point.data(), n, cloud.k, rows.data())();
-      ghosts_->add_ring(points_of(remote));
-      for(const Remote_entry& e : remote)
-        rows.data()[e.entry] = ghosts_->place_of(e.point);
-      for(int ring = 1; ring < rings; ++ring)
-        ghosts_->add_next_ring(rows.data(), std::size_t(cloud.k), ghost_rows);
+      Host_view<Backend, std::uint32_t> rows(*backend_, cloud.neighbor.data(), std::size_t(n) * std::size_t(cloud.k));
+      remote = Border_search<Search_host<Local>>(communicator(), point.data(), n, cloud.k, rows.data())();
       rows.write_back();
     }
-    if(!ghost_rows.empty()) {
-      const std::size_t own = cloud.neighbor.size();
-      cloud.neighbor = extended<std::uint32_t>(*backend_, cloud.neighbor, own + ghost_rows.size());
-      write_to(*backend_, ghost_rows, cloud.neighbor.data() + own);
+    add_ghosts(cloud, rings, remote);
+  }
+
+  template <class Cloud>
+  void connect_again(Cloud& cloud, int rings, const std::vector<std::uint64_t>& added)
+  {
+    const std::uint32_t n = std::uint32_t(cloud.number_of_surfels()), present = n + std::uint32_t(cloud.ghosts);
+    std::vector<Remote_entry> remote;
+    {
+      const std::size_t entries = std::size_t(n) * std::size_t(cloud.k);
+      const Host_view<Backend, const std::uint32_t> rows(*backend_, cloud.neighbor.data(), entries);
+      for(std::size_t e = 0; e < entries; ++e)
+        if(const std::uint32_t place = rows.data()[e]; place >= n && place != no_index)
+          remote.push_back({e, place < present ? ghosts_->point_at(place) : rank_point(added[place - present])});
     }
-    cloud.first = first_position(n);
-    cloud.first_of_points = first_position(std::uint32_t(cloud.number_of_points()));
-    cloud.ghosts = ghosts_->size();
-    cloud.point = extended<Grid_point>(*backend_, cloud.point, n + cloud.ghosts);
-    refresh(cloud.point.data(), Rings::all);
-    if(cloud.has_levels) {
-      cloud.level = extended<std::uint8_t>(*backend_, cloud.level, n + cloud.ghosts);
-      refresh(cloud.level.data(), Rings::all);
-    }
+    add_ghosts(cloud, rings, remote);
   }
 
   std::size_t ghosts(Rings rings) const { return rings == Rings::all ? ghosts_->size() : ghosts_->ring_size(0); }
@@ -126,6 +121,40 @@ public:
   }
 
 private:
+  static Rank_point rank_point(std::uint64_t number) { return {std::uint32_t(number >> 32), std::uint32_t(number)}; }
+
+  // The ghosts are those of these entries, which are undefined so far.
+  template <class Cloud>
+  void add_ghosts(Cloud& cloud, int rings, const std::vector<Remote_entry>& remote)
+  {
+    const std::uint32_t n = std::uint32_t(cloud.number_of_surfels());
+    const std::size_t entries = std::size_t(n) * std::size_t(cloud.k);
+    ghosts_ = std::make_shared<Ghosts<Backend>>(*backend_, n);
+    ghosts_->add_ring(points_of(remote));
+    std::vector<std::uint32_t> ghost_rows;
+    {
+      Host_view<Backend, std::uint32_t> rows(*backend_, cloud.neighbor.data(), entries);
+      for(const Remote_entry& e : remote)
+        rows.data()[e.entry] = ghosts_->place_of(e.point);
+      for(int ring = 1; ring < rings; ++ring)
+        ghosts_->add_next_ring(rows.data(), std::size_t(cloud.k), ghost_rows);
+      rows.write_back();
+    }
+    if(!ghost_rows.empty() || cloud.neighbor.size() > entries) {
+      cloud.neighbor = resized<std::uint32_t>(*backend_, cloud.neighbor, entries, entries + ghost_rows.size());
+      write_to(*backend_, ghost_rows, cloud.neighbor.data() + entries);
+    }
+    cloud.first = first_position(n);
+    cloud.first_of_points = first_position(std::uint32_t(cloud.number_of_points()));
+    cloud.ghosts = ghosts_->size();
+    cloud.point = resized<Grid_point>(*backend_, cloud.point, n, n + cloud.ghosts);
+    refresh(cloud.point.data(), Rings::all);
+    if(cloud.has_levels) {
+      cloud.level = resized<std::uint8_t>(*backend_, cloud.level, n, n + cloud.ghosts);
+      refresh(cloud.level.data(), Rings::all);
+    }
+  }
+
   Communicator& communicator() const { return backend_->communicator(); }
 
   std::uint32_t first_position(std::uint32_t n) const

@@ -3,59 +3,66 @@
 //
 // Neighbors across scan lines. Many sensors sample on lines, which are much farther apart than the points of a line.
 // There the k nearest surfels of a surfel are on its own line: they tell nothing of the surface across it, and no shape
-// grows from one line to the next. Such a surfel gets half of its neighbors from a thinned cloud, of one surfel in each
-// octant, of the smallest octants in which neighborhoods have a width. Changes rows of the neighbor graph. See the
-// manual, "Scan Lines".
+// grows from one line to the next. Such a surfel gets half of its neighbors from a thinned cloud: the first surfel of each
+// octant, of the smallest octants where neighborhoods have a width. Changes rows of the neighbor graph. See the manual,
+// "Scan Lines".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_CROSS_SCAN_LINES_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_CROSS_SCAN_LINES_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
+#include <vector>
+
 namespace CGAL::Tandem::internal {
 
-// Whether neighborhoods are lines: narrow against their length, or against the noise, which gives a line a width.
+// --- Which neighborhoods are lines.
+
+// Whether a neighborhood is narrow: against its length, or against the noise, which gives a line a width.
 struct Line_test {
   double noise2; // squared grid steps, at epsilon
-  double ratio = tuning::scan_lines::width2_of_length2;
 
-  CGAL_TANDEM_HD bool operator()(const Neighborhood& h, double tolerance_factor) const
+  CGAL_TANDEM_HD bool operator()(const Neighborhood& h, std::uint8_t level) const
   {
     const covariance::Matrix c = covariance::cofactors({h.xx, h.xy, h.xz, h.yy, h.yz, h.zz});
-    // With variances a >= b >= c, a + b + c, and a b + b c + c a.
+    // Of the variances a >= b >= c: their sum, and a b + b c + c a. So the width b is about product / sum.
     const double sum = double(h.xx) + h.yy + h.zz, product = double(c.xx) + c.yy + c.zz;
-    const double narrow = ratio * sum, noise = noise2 * tolerance_factor * tolerance_factor;
-    const double noisy = 4 * narrow < noise ? 4 * narrow : noise;
-    return !(product > (narrow > noisy ? narrow : noisy) * sum);
+    const double noise = noise2 * level_factor(level) * level_factor(level);
+    const double narrow = tuning::scan_lines::width2_of_length2 * sum;
+    const double widest = tuning::scan_lines::noisy_width2_of_length2 * sum;
+    const double width = noise < narrow ? narrow : noise < widest ? noise : widest;
+    return !(product > width * sum);
   }
 };
 
-// The neighborhood of point i and the points of its row.
-CGAL_TANDEM_HD inline Neighborhood neighborhood_of_row(const Grid_point* point, std::uint32_t i, const std::uint32_t* row,
-                                                       int k)
+// The neighborhood of surfel i and its row.
+CGAL_TANDEM_HD inline Neighborhood neighborhood_of_row(const Cloud_view& cloud, std::uint32_t i)
 {
   Neighborhood_sum sum;
   sum.add({0, 0, 0});
-  for(int j = 0; j < k && row[j] != no_index; ++j)
-    sum.add(difference(point[row[j]], point[i]));
+  const std::uint32_t* const row = cloud.row(i);
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+    sum.add(difference(cloud.point[row[j]], cloud.point[i]));
   return sum.mean();
 }
 
-// Counts the lines among the rows of a sample.
+// Counts the lines among the rows of a sample, by position in the cloud of all ranks.
 struct Count_lines {
   Cloud_view cloud;
   Line_test is_line;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const
+  CGAL_TANDEM_HD void operator()(std::size_t sampled, std::int64_t* sum) const
   {
-    if((i + cloud.first) % tuning::scan_lines::surfels_per_sampled != 0)
+    constexpr std::uint32_t stride = tuning::scan_lines::surfels_per_sampled;
+    const std::uint32_t i = std::uint32_t(sampled) * stride + (stride - cloud.first % stride) % stride;
+    if(i >= cloud.size)
       return;
-    const std::uint32_t s = std::uint32_t(i);
     ++sum[0];
-    sum[1] += is_line(neighborhood_of_row(cloud.point, s, cloud.row(s), cloud.k), level_factor(cloud.level_of(s)));
+    sum[1] += is_line(neighborhood_of_row(cloud, i), cloud.level_of(i));
   }
 };
 
@@ -77,18 +84,18 @@ CGAL_TANDEM_HD inline bool are_along(std::uint32_t a, std::uint32_t b)
   return 2 * product(u, v) * product(u, v) > product(u, u) * product(v, v);
 }
 
-// The surfels whose rows are lines, with the directions of these; no_normal for others.
+// By surfel: whether its row is a line, and the direction of that; no_normal for others.
 struct Mark_lines {
   Cloud_view cloud;
   Line_test test;
   std::uint8_t* is_line;
   std::uint32_t* direction;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    const std::uint32_t s = std::uint32_t(i);
-    const Neighborhood h = neighborhood_of_row(cloud.point, s, cloud.row(s), cloud.k);
-    is_line[i] = test(h, level_factor(cloud.level_of(s)));
+    const std::uint32_t i = std::uint32_t(at);
+    const Neighborhood h = neighborhood_of_row(cloud, i);
+    is_line[i] = test(h, cloud.level_of(i));
     direction[i] = is_line[i] ? line_direction(h) : no_normal;
   }
 };
@@ -99,140 +106,218 @@ struct Count_marked {
   CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const { sum[0] += is_marked[i]; }
 };
 
-// The first surfels of octants along the curve: the thinned cloud.
+// --- The thinned cloud.
+
+struct Mark_first {
+  const Range* cell;
+  std::uint8_t* is_first;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const { is_first[cell[c].first] = 1; }
+};
+
+// The first surfels of octants along the curve. An octant ends with the cell, so that it is on one rank.
 struct Begins_octant {
   const Grid_point* point;
+  const std::uint8_t* is_first_of_cell;
   Code_frame frame;
-  int level;
+  int level; // of the octants
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
-    return i == 0 || !frame.share_octant(point[i - 1], point[i], level);
+    return is_first_of_cell[i] != 0 || !frame.share_octant(point[i - 1], point[i], level);
   }
 };
 
-struct Gather_thinned {
-  const Grid_point* point;
+// A surfel of any rank, by its number there.
+struct Write_number {
   const std::uint32_t* surfel;
-  Grid_point* thinned;
+  std::uint64_t first; // number of the first one of this rank
+  std::uint64_t* number;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { thinned[i] = point[surfel[i]]; }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { number[i] = first + surfel[i]; }
 };
 
-// Of a thinned cloud, with the rows of its points.
+// With the tables of its points by place; ghosts have the latter, too.
 struct Thinned_view {
-  const Grid_point* point;
-  const std::uint32_t* surfel; // that it is
-  const std::uint32_t* neighbor;
-  std::uint32_t size;
-  int k;
+  Cloud_view cloud;
+  const std::uint32_t* surfel;    // that it is
+  const std::uint32_t* direction; // of its line
 
-  CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
-
-  // That of the octant of a surfel.
+  // The place of the octant of a surfel.
   CGAL_TANDEM_HD std::uint32_t place_of(std::uint32_t s) const
   {
-    std::uint32_t first = 0, last = size;
-    while(last - first > 1) {
-      const std::uint32_t middle = (first + last) / 2;
-      (surfel[middle] <= s ? first : last) = middle;
-    }
-    return first;
+    return partition_point(0, cloud.size, [&](std::uint32_t i) { return surfel[i] <= s; }) - 1;
   }
 };
 
-// Gives a surfel whose row is a line the farther neighbors of the first surfel of its octant, if those are no line.
+// Marks the points of a thinned cloud whose rows are wide. Only neighbors count whose own lines run along that of the
+// point: where a line turns a corner, it has a width, but it does not show the surface across it.
+struct Mark_wide {
+  Thinned_view thinned;
+  Cloud_view cloud;
+  Line_test is_line;
+  std::uint8_t* is_wide;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at), own = thinned.direction[i];
+    const Cloud_view& of = thinned.cloud;
+    const std::uint32_t* const row = of.row(i);
+    Neighborhood_sum sum;
+    sum.add({0, 0, 0});
+    for(int j = 0; j < of.k && row[j] != no_index; ++j) {
+      const std::uint32_t other = thinned.direction[row[j]];
+      if(own == no_normal || other == no_normal || are_along(own, other))
+        sum.add(difference(of.point[row[j]], of.point[i]));
+    }
+    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i]));
+  }
+};
+
+// A surfel whose row is a line keeps its nearest neighbors, and gets the farther ones of the first surfel of its octant, if
+// those are no line.
 struct Cross_lines {
   Cloud_view cloud;
   Thinned_view thinned;
   const std::uint8_t* is_wide; // by place in the thinned cloud
+  std::uint32_t first_ghost;   // place of the first ghost of the thinned cloud among surfels
   std::uint8_t* is_line;
-  std::uint32_t* neighbor; // of the cloud
+  std::uint32_t* neighbor;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    const std::uint32_t i = std::uint32_t(at);
-    if(is_line[i] == 0)
+    if(is_line[at] == 0)
       return;
-    const std::uint32_t place = thinned.place_of(i);
+    const std::uint32_t i = std::uint32_t(at), place = thinned.place_of(i);
     if(is_wide[place] == 0)
       return;
     is_line[i] = 0;
     std::uint32_t* const row = neighbor + at * std::size_t(cloud.k);
-    const std::uint32_t* const farther = thinned.row(place);
-    int size = cloud.k / 2;
-    for(int j = cloud.k / 2; j < cloud.k && farther[j] != no_index; ++j) {
-      const std::uint32_t s = thinned.surfel[farther[j]];
+    const std::uint32_t* const farther = thinned.cloud.row(place);
+    // Of long rows, normals are estimated from the first ones.
+    const int used = cloud.k < tuning::normals::maximum_neighbors ? cloud.k : tuning::normals::maximum_neighbors;
+    int size = used / 2;
+    for(int j = used / 2; j < cloud.k && farther[j] != no_index; ++j) {
+      const std::uint32_t s = surfel(farther[j]);
       bool is_new = s != i;
-      for(int e = 0; e < cloud.k / 2; ++e)
-        is_new = is_new && row[e] != s;
+      for(int nearer = 0; nearer < used / 2; ++nearer)
+        is_new = is_new && row[nearer] != s;
       if(is_new)
         row[size++] = s;
     }
     for(; size < cloud.k; ++size)
       row[size] = no_index;
   }
-};
 
-struct Mark_wide {
-  Thinned_view thinned;
-  Cloud_view cloud;
-  Line_test test;
-  const std::uint32_t* direction;
-  std::uint8_t* is_wide;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+private:
+  CGAL_TANDEM_HD std::uint32_t surfel(std::uint32_t place) const
   {
-    const std::uint32_t s = std::uint32_t(i);
-    const std::uint32_t own = direction[thinned.surfel[s]];
-    Neighborhood_sum sum;
-    sum.add({0, 0, 0});
-    const std::uint32_t* row = thinned.row(s);
-    for(int j = 0; j < thinned.k && row[j] != no_index; ++j) {
-      const std::uint32_t other = direction[thinned.surfel[row[j]]];
-      if(own == no_normal || other == no_normal || are_along(own, other))
-        sum.add(difference(thinned.point[row[j]], thinned.point[i]));
-    }
-    is_wide[i] = !test(sum.mean(), level_factor(cloud.level_of(thinned.surfel[s])));
+    return place < thinned.cloud.size ? thinned.surfel[place] : first_ghost + (place - thinned.cloud.size);
   }
 };
 
-// Whether there are scan lines is decided for the whole cloud.
+// Writes the rows of a cloud whose k is set. meanwhile() is called while a device searches.
+template <class Backend, class Meanwhile = Nothing>
+void find_rows(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud, int rings,
+               Meanwhile meanwhile = Meanwhile())
+{
+  cloud.neighbor.reset(cloud.number_of_surfels() * std::size_t(cloud.k));
+  find_neighbors(backend, cloud.point.data(), std::uint32_t(cloud.number_of_surfels()), cloud.k, cloud.neighbor.data());
+  meanwhile();
+  ranks.connect(cloud, rings);
+}
+
+// One level after the other, while there are lines left.
 template <class Backend>
-void cross_scan_lines(Backend& backend, Sorted_cloud<Backend>& cloud, const Code_frame& frame, double epsilon_steps)
+class Scan_line_crossing {
+  template <class T>
+  using Buffer = Buffer_of<Backend, T>;
+
+public:
+  Scan_line_crossing(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
+                     const Buffer<Range>& cells, const Line_test& is_line)
+    : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), test_(is_line), is_line_(view_.size),
+      direction_(view_.size), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
+  {
+    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction_.data()});
+    backend_.for_each(cells.size(), Mark_first{cells.data(), is_first_of_cell_.data()});
+  }
+
+  // Returns the numbers of the surfels whose places in the rows follow those of the present ghosts.
+  std::vector<std::uint64_t> operator()(const Code_frame& frame)
+  {
+    std::vector<std::uint64_t> added;
+    std::size_t last = ranks_.total(view_.size);
+    for(int level = 1; level < curve_bits && is_any_left(); ++level) {
+      const auto surfel =
+        backend_.compact(view_.size, Begins_octant{view_.point, is_first_of_cell_.data(), frame, level});
+      const std::size_t size = ranks_.total(surfel.size());
+      if(!tuning::scan_lines::thinned.is_exceeded(std::int64_t(size), std::int64_t(last))) {
+        cross(surfel, added);
+        last = size;
+      }
+    }
+    return added;
+  }
+
+private:
+  bool is_any_left() const
+  {
+    return ranks_.total(std::size_t(backend_.template sum<1>(view_.size, Count_marked{is_line_.data()})[0])) > 0;
+  }
+
+  void cross(const Buffer<std::uint32_t>& surfel, std::vector<std::uint64_t>& added)
+  {
+    const std::size_t n = surfel.size();
+    Sorted_cloud<Backend> thinned;
+    thinned.k = view_.k;
+    thinned.point.reset(n);
+    backend_.for_each(n, Gather_items<Grid_point>{view_.point, surfel.data(), thinned.point.data()});
+    Ranks<Backend> ranks(backend_);
+    find_rows(backend_, ranks, thinned, 1);
+    Buffer<std::uint32_t> direction(thinned.size_with_ghosts());
+    backend_.for_each(n, Gather_items<std::uint32_t>{direction_.data(), surfel.data(), direction.data()});
+    ranks.refresh(direction.data(), Rings::inner);
+    const Thinned_view view = {thinned.view(), surfel.data(), direction.data()};
+    Buffer<std::uint8_t> is_wide(n);
+    backend_.for_each(n, Mark_wide{view, view_, test_, is_wide.data()});
+    const std::uint32_t first_ghost = std::uint32_t(cloud_.size_with_ghosts() + added.size());
+    backend_.for_each(view_.size,
+                      Cross_lines{view_, view, is_wide.data(), first_ghost, is_line_.data(), cloud_.neighbor.data()});
+    if constexpr(Ranks<Backend>::are_many) {
+      Buffer<std::uint64_t> number(thinned.size_with_ghosts());
+      backend_.for_each(n, Write_number{surfel.data(), ranks_.number(0), number.data()});
+      ranks.refresh(number.data(), Rings::inner);
+      const std::vector<std::uint64_t> all = to_vector(backend_, number);
+      added.insert(added.end(), all.begin() + std::ptrdiff_t(n), all.end());
+    }
+  }
+
+  Backend& backend_;
+  const Ranks<Backend>& ranks_;
+  Sorted_cloud<Backend>& cloud_;
+  Cloud_view view_;
+  Line_test test_;
+  Buffer<std::uint8_t> is_line_; // by surfel: its row is still a line
+  Buffer<std::uint32_t> direction_;
+  Buffer<std::uint8_t> is_first_of_cell_;
+};
+
+// Whether there are scan lines is decided for the whole cloud. The rows are complete; rings: as in Ranks::connect().
+template <class Backend>
+void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
+                      const Buffer_of<Backend, Range>& cells, const Code_frame& frame, double epsilon_steps, int rings)
 {
   const Cloud_view view = cloud.view();
   const double noise = tuning::scan_lines::width_of_noise * epsilon_steps;
-  const Line_test test = {noise * noise};
-  const auto sampled = backend.template sum<2>(view.size, Count_lines{view, test});
-  if(std::getenv("SL")) std::fprintf(stderr, "lines %.4f of %ld\n", double(sampled[1]) / double(sampled[0]), long(sampled[0]));
-  if(!tuning::scan_lines::of_cloud.is_exceeded(sampled[1], sampled[0]))
+  const Line_test is_line = {noise * noise};
+  const auto own =
+    backend.template sum<2>(view.size / tuning::scan_lines::surfels_per_sampled + 1, Count_lines{view, is_line});
+  const std::size_t sampled = ranks.total(std::size_t(own[0])), lines = ranks.total(std::size_t(own[1]));
+  if(!tuning::scan_lines::of_cloud.is_exceeded(std::int64_t(lines), std::int64_t(sampled)))
     return;
-  Buffer_of<Backend, std::uint8_t> is_line(view.size);
-  Buffer_of<Backend, std::uint32_t> direction(view.size);
-  backend.for_each(view.size, Mark_lines{view, test, is_line.data(), direction.data()});
-  std::size_t last = view.size;
-  for(int level = 1; level < curve_bits; ++level) {
-    const auto surfel = backend.compact(view.size, Begins_octant{view.point, frame, level});
-    const std::size_t n = surfel.size();
-    if(n <= std::size_t(view.k))
-      return;
-    if(4 * n > 3 * last)
-      continue;
-    last = n;
-    Buffer_of<Backend, Grid_point> point(n);
-    backend.for_each(n, Gather_thinned{view.point, surfel.data(), point.data()});
-    Buffer_of<Backend, std::uint32_t> neighbor(n * std::size_t(view.k));
-    find_neighbors(backend, point.data(), std::uint32_t(n), view.k, neighbor.data());
-    const Thinned_view thinned = {point.data(), surfel.data(), neighbor.data(), std::uint32_t(n), view.k};
-    Buffer_of<Backend, std::uint8_t> is_wide(n);
-    backend.for_each(n, Mark_wide{thinned, view, {test.noise2, std::getenv("R") ? std::atof(std::getenv("R")) : test.ratio}, direction.data(), is_wide.data()});
-    backend.for_each(view.size, Cross_lines{view, thinned, is_wide.data(), is_line.data(), cloud.neighbor.data()});
-    const auto left = backend.template sum<1>(view.size, Count_marked{is_line.data()});
-    if(std::getenv("SL")) std::fprintf(stderr, "level %d: %zu points, %ld left\n", level, n, long(left[0]));
-    if(left[0] == 0)
-      return;
-  }
+  const auto added = Scan_line_crossing<Backend>(backend, ranks, cloud, cells, is_line)(frame);
+  ranks.connect_again(cloud, rings, added);
 }
 
 } // namespace CGAL::Tandem::internal

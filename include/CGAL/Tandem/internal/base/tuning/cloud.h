@@ -9,6 +9,7 @@
 #include <CGAL/Tandem/internal/base/tuning/Ratio.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL::Tandem::internal {
 namespace tuning {
@@ -51,14 +52,18 @@ constexpr Ratio joined = {3, 10};
 // Neighbors across scan lines. See cross_scan_lines.h.
 namespace scan_lines {
 
-// The squared width of a neighborhood that is a line, over its squared length.
+// A neighborhood is a line if its squared width over its squared length is below the first. Or below the second, if the
+// width is less than that which noise gives to a line, in epsilons.
 constexpr double width2_of_length2 = 1. / 32;
-// ... and the width, in epsilons, that noise gives to a line.
+constexpr double noisy_width2_of_length2 = 1. / 8;
 constexpr double width_of_noise = .45;
-// There are scan lines where more than this ratio of the neighborhoods are lines.
+// There are scan lines where more than this ratio of the neighborhoods are lines: 0 to .02 on clouds with evenly spaced
+// points, .12 to .99 where points are on lines.
 constexpr Ratio of_cloud = {1, 20};
 // Surfels of which one is looked at.
-constexpr std::size_t surfels_per_sampled = 8;
+constexpr std::uint32_t surfels_per_sampled = 8;
+// A cloud is not thinned again if more than this ratio of its points would stay.
+constexpr Ratio thinned = {3, 4};
 
 } // namespace scan_lines
 
