@@ -4,11 +4,11 @@
 // Tandem on generated clouds with true labels, with given and with its own normals: a line each, then means. Its CMake
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
-//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
+//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/*.cpp criteria/result_score.cpp
 //     clouds/named_clouds.cpp -DTANDEM_BENCHMARK_SOURCES='"."'
 //     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
-//   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
-// only clouds whose group or name contains one of the PARTs.
+//   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [--contestant NAME] [PART...]
+// only clouds whose group or name contains one of the PARTs. Another contestant: growing or ransac, say.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
 // of shapes, F1 at .5, precision of points, ratio of the points in the ten largest shapes and faces, score per point
 // (criteria/segmentation.h, criteria/result_score.h). Of walls: the scenes in which each face has a shape of its own, the
@@ -56,7 +56,9 @@ const char* const kinds[] = {"given", "own"}; // of normals
 class Judge {
 public:
   // The task has the simplicity and the regularity.
-  Judge(const Task& knobs, const std::vector<std::string>& parts) : knobs_(knobs), parts_(parts) {}
+  Judge(const Task& knobs, const std::string& contestant_name, const std::vector<std::string>& parts)
+    : knobs_(knobs), contestant_(contestant(contestant_name)), parts_(parts)
+  {}
 
   // Frames of a group follow each other.
   void judge(const std::string& title, const std::vector<scenes::Labeled_scene>& frames)
@@ -123,7 +125,7 @@ private:
     task.simplicity = knobs_.simplicity;
     task.regularity = knobs_.regularity;
     task.estimates_normals = estimates_normals;
-    return tandem_contestants().back().step(cloud.cloud, task, Run());
+    return run(contestant_, cloud.cloud, task);
   }
 
   Row row(const scenes::Labeled_scene& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
@@ -174,6 +176,7 @@ private:
   }
 
   Task knobs_;
+  Contestant contestant_;
   std::vector<std::string> parts_;
   std::vector<Row> rows_;
 };
@@ -183,17 +186,19 @@ private:
 int main(int argc, char** argv)
 try {
   std::vector<std::string> parts(argv + 1, argv + argc);
-  std::string csv;
+  std::string csv, contestant = "tandem-sequential";
   Task knobs;
   for(; parts.size() > 1 && parts[0].compare(0, 2, "--") == 0; parts.erase(parts.begin(), parts.begin() + 2)) {
     if(parts[0] == "--csv")
       csv = parts[1];
     else if(parts[0] == "--simplicity" || parts[0] == "--regularity")
       (parts[0] == "--simplicity" ? knobs.simplicity : knobs.regularity) = std::stod(parts[1]);
+    else if(parts[0] == "--contestant")
+      contestant = parts[1];
     else
       throw std::runtime_error("unknown option " + parts[0]);
   }
-  Judge judge(knobs, parts);
+  Judge judge(knobs, contestant, parts);
   judge.judge("labeled frames", scenes::labeled_frames());
   judge.judge("scenes", scenes::labeled_scenes());
   judge.judge("scan lines", scenes::labeled_scan_lines());

@@ -100,6 +100,34 @@ struct Mark_lines {
   }
 };
 
+// Where a line turns, a row has a width, but shows nothing of the surface across the line. So a row is a line, too, if
+// a third of its surfels have rows that are lines. Its direction is that of the nearest one. Reads the directions of
+// before.
+struct Mark_corners {
+  Cloud_view cloud;
+  const std::uint32_t* before;
+  std::uint8_t* is_line;
+  std::uint32_t* direction;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    direction[i] = before[i];
+    const std::uint32_t* const row = cloud.row(std::uint32_t(i));
+    int lines = 0, size = 0;
+    std::uint32_t nearest = no_normal;
+    for(; size < cloud.k && row[size] != no_index; ++size)
+      if(const std::uint32_t d = before[row[size]]; d != no_normal) {
+        ++lines;
+        if(nearest == no_normal)
+          nearest = d;
+      }
+    if(is_line[i] != 0 || lines == 0 || lines * tuning::scan_lines::neighbors_per_line < size)
+      return;
+    is_line[i] = 1;
+    direction[i] = nearest;
+  }
+};
+
 struct Count_marked {
   const std::uint8_t* is_marked;
 
@@ -150,8 +178,34 @@ struct Thinned_view {
   }
 };
 
+// The vector from a line to a point, times the squared length of the direction of the line.
+class Across_line {
+public:
+  CGAL_TANDEM_HD Across_line(const Grid_point& p, std::uint32_t direction)
+    : point_(p), direction_(decode_normal(direction)), squared_(along(direction_.x, direction_.y, direction_.z))
+  {}
+
+  CGAL_TANDEM_HD Float_vector operator()(const Grid_point& q) const
+  {
+    const std::int64_t x = q.x - point_.x, y = q.y - point_.y, z = q.z - point_.z, a = along(x, y, z);
+    return {to_float(double(x * squared_ - direction_.x * a)), to_float(double(y * squared_ - direction_.y * a)),
+            to_float(double(z * squared_ - direction_.z * a))};
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t along(std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    return x * direction_.x + y * direction_.y + z * direction_.z;
+  }
+
+  Grid_point point_;
+  Int_vector direction_;
+  std::int64_t squared_;
+};
+
 // Marks the points of a thinned cloud whose rows are wide. Only neighbors count whose own lines run along that of the
-// point: where a line turns a corner, it has a width, but it does not show the surface across it.
+// point: where a line turns a corner, it has a width, but it does not show the surface across it. Neighbors are on three
+// lines at least: there is a plane through any two.
 struct Mark_wide {
   Thinned_view thinned;
   Cloud_view cloud;
@@ -161,16 +215,42 @@ struct Mark_wide {
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at), own = thinned.direction[i];
-    const Cloud_view& of = thinned.cloud;
-    const std::uint32_t* const row = of.row(i);
     Neighborhood_sum sum;
     sum.add({0, 0, 0});
-    for(int j = 0; j < of.k && row[j] != no_index; ++j) {
+    for_each_along(i, [&](const Grid_point& q) { sum.add(difference(q, thinned.cloud.point[i])); });
+    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i])) && (own == no_normal || is_on_three_lines(i));
+  }
+
+private:
+  template <class F>
+  CGAL_TANDEM_HD void for_each_along(std::uint32_t i, F f) const
+  {
+    const std::uint32_t own = thinned.direction[i];
+    const std::uint32_t* const row = thinned.cloud.row(i);
+    for(int j = 0; j < thinned.cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t other = thinned.direction[row[j]];
       if(own == no_normal || other == no_normal || are_along(own, other))
-        sum.add(difference(of.point[row[j]], of.point[i]));
+        f(thinned.cloud.point[row[j]]);
     }
-    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i]));
+  }
+
+  // Whether neighbors are not only on the line of the point and on the farthest one.
+  CGAL_TANDEM_HD bool is_on_three_lines(std::uint32_t i) const
+  {
+    const Across_line across(thinned.cloud.point[i], thinned.direction[i]);
+    Float_vector farthest = {0, 0, 0};
+    for_each_along(i, [&](const Grid_point& q) {
+      const Float_vector v = across(q);
+      if(exact_dot(v, v) > exact_dot(farthest, farthest))
+        farthest = v;
+    });
+    const double whole = exact_dot(farthest, farthest);
+    bool is_third = false;
+    for_each_along(i, [&](const Grid_point& q) {
+      const double part = exact_dot(across(q), farthest);
+      is_third = is_third || part < -whole / 4 || (part > whole / 4 && part < whole / 4 * 3);
+    });
+    return is_third;
   }
 };
 
@@ -239,7 +319,10 @@ public:
     : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), test_(is_line), is_line_(view_.size),
       direction_(view_.size), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
   {
-    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction_.data()});
+    Buffer<std::uint32_t> direction(cloud.size_with_ghosts());
+    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction.data()});
+    ranks_.refresh(direction.data(), Rings::inner);
+    backend_.for_each(view_.size, Mark_corners{view_, direction.data(), is_line_.data(), direction_.data()});
     backend_.for_each(cells.size(), Mark_first{cells.data(), is_first_of_cell_.data()});
   }
 

@@ -57,6 +57,8 @@ namespace scan_lines {
 constexpr double width2_of_length2 = 1. / 32;
 constexpr double noisy_width2_of_length2 = 1. / 8;
 constexpr double width_of_noise = .45;
+// Corners of lines have at least one neighbor of so many whose row is a line.
+constexpr int neighbors_per_line = 3;
 // There are scan lines where more than this ratio of the neighborhoods are lines: 0 to .02 on clouds with evenly spaced
 // points, .12 to .99 where points are on lines.
 constexpr Ratio of_cloud = {1, 20};
