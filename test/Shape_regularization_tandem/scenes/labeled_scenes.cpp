@@ -78,7 +78,7 @@ Labeled_scene lidar_frame(const std::string& place, unsigned beams, bool is_tilt
   };
   const std::string name = "lidar-" + place + "-" + std::to_string(beams) + (is_tilted ? "-tilted" : "-level") + "-" +
                            std::to_string(int(1000 * noise + .5)) + "mm";
-  return {"lidar " + place, name, make, 3 * noise, cosine_9, 50};
+  return {"lidar " + place, name, make, 3 * noise, cosine_9, 50, 3, seed};
 }
 
 // Points .004 apart, on lines so many times as far.
@@ -89,7 +89,7 @@ Labeled_scene profiles(unsigned times)
     const Frame pose = office.at({1.6, 0.4, 1.4}).turned({0, 1, 0}, -0.17);
     return scan(make_office(), {Sensor_kind::profiler, pose, 750, unsigned(1050 / times), 3, 4.2, 0, 0.001, times});
   };
-  return {"profiles", "profiles-" + std::to_string(times), make, 0.005, cosine_9, 50};
+  return {"profiles", "profiles-" + std::to_string(times), make, 0.005, cosine_9, 50, 3, times};
 }
 
 struct Scene_kind {

@@ -178,34 +178,8 @@ struct Thinned_view {
   }
 };
 
-// The vector from a line to a point, times the squared length of the direction of the line.
-class Across_line {
-public:
-  CGAL_TANDEM_HD Across_line(const Grid_point& p, std::uint32_t direction)
-    : point_(p), direction_(decode_normal(direction)), squared_(along(direction_.x, direction_.y, direction_.z))
-  {}
-
-  CGAL_TANDEM_HD Float_vector operator()(const Grid_point& q) const
-  {
-    const std::int64_t x = q.x - point_.x, y = q.y - point_.y, z = q.z - point_.z, a = along(x, y, z);
-    return {to_float(double(x * squared_ - direction_.x * a)), to_float(double(y * squared_ - direction_.y * a)),
-            to_float(double(z * squared_ - direction_.z * a))};
-  }
-
-private:
-  CGAL_TANDEM_HD std::int64_t along(std::int64_t x, std::int64_t y, std::int64_t z) const
-  {
-    return x * direction_.x + y * direction_.y + z * direction_.z;
-  }
-
-  Grid_point point_;
-  Int_vector direction_;
-  std::int64_t squared_;
-};
-
 // Marks the points of a thinned cloud whose rows are wide. Only neighbors count whose own lines run along that of the
-// point: where a line turns a corner, it has a width, but it does not show the surface across it. Neighbors are on three
-// lines at least: there is a plane through any two.
+// point: where a line turns a corner, it has a width, but it does not show the surface across it.
 struct Mark_wide {
   Thinned_view thinned;
   Cloud_view cloud;
@@ -215,42 +189,16 @@ struct Mark_wide {
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at), own = thinned.direction[i];
+    const Cloud_view& of = thinned.cloud;
+    const std::uint32_t* const row = of.row(i);
     Neighborhood_sum sum;
     sum.add({0, 0, 0});
-    for_each_along(i, [&](const Grid_point& q) { sum.add(difference(q, thinned.cloud.point[i])); });
-    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i])) && (own == no_normal || is_on_three_lines(i));
-  }
-
-private:
-  template <class F>
-  CGAL_TANDEM_HD void for_each_along(std::uint32_t i, F f) const
-  {
-    const std::uint32_t own = thinned.direction[i];
-    const std::uint32_t* const row = thinned.cloud.row(i);
-    for(int j = 0; j < thinned.cloud.k && row[j] != no_index; ++j) {
+    for(int j = 0; j < of.k && row[j] != no_index; ++j) {
       const std::uint32_t other = thinned.direction[row[j]];
       if(own == no_normal || other == no_normal || are_along(own, other))
-        f(thinned.cloud.point[row[j]]);
+        sum.add(difference(of.point[row[j]], of.point[i]));
     }
-  }
-
-  // Whether neighbors are not only on the line of the point and on the farthest one.
-  CGAL_TANDEM_HD bool is_on_three_lines(std::uint32_t i) const
-  {
-    const Across_line across(thinned.cloud.point[i], thinned.direction[i]);
-    Float_vector farthest = {0, 0, 0};
-    for_each_along(i, [&](const Grid_point& q) {
-      const Float_vector v = across(q);
-      if(exact_dot(v, v) > exact_dot(farthest, farthest))
-        farthest = v;
-    });
-    const double whole = exact_dot(farthest, farthest);
-    bool is_third = false;
-    for_each_along(i, [&](const Grid_point& q) {
-      const double part = exact_dot(across(q), farthest);
-      is_third = is_third || part < -whole / 4 || (part > whole / 4 && part < whole / 4 * 3);
-    });
-    return is_third;
+    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i]));
   }
 };
 
