@@ -170,8 +170,9 @@ inline py::dict statistics(const Result& result)
     "mean_distance"_a = s.mean_distance, "degrees_of_freedom"_a = s.degrees_of_freedom, "complexity"_a = s.complexity,
     "score"_a = score(s.score), "number_of_rounds"_a = s.number_of_rounds, "times"_a = times(s.times),
     "peak_bytes"_a = s.peak_bytes, "grid_step"_a = s.grid_step, "is_grid_coarse"_a = s.is_grid_coarse,
-    "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled,
-    "estimate_note"_a = s.estimate_note, "angle_note"_a = s.angle_note, "backend"_a = s.backend);
+    "line_spacing"_a = s.line_spacing, "has_estimated_normals"_a = s.has_estimated_normals,
+    "is_cancelled"_a = s.is_cancelled, "estimate_note"_a = s.estimate_note, "angle_note"_a = s.angle_note,
+    "backend"_a = s.backend);
 }
 
 inline py::tuple triple(const std::array<double, 3>& d) { return py::make_tuple(d[0], d[1], d[2]); }

@@ -27,8 +27,9 @@ struct Free_reason {
 };
 
 // Those that points have, the most frequent first.
-inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
+inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
 {
+  const CGAL::Tandem::Free_points& f = s.free_points;
   std::vector<Free_reason> reasons = {
     {f.without_normal, "without a normal",
      "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
@@ -37,7 +38,9 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Free_points& f)
      "a larger --maximum-distance or --maximum-angle adds more of them"},
     {f.without_neighbors, "alone",
      "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
-    {f.in_small_regions, "in small regions", "a smaller --minimum-region-size adds more of them"},
+    {f.in_small_regions, "in small regions",
+     s.line_spacing > 0 ? "a face needs points of two scan lines, which are farther apart than small faces are wide"
+                        : "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
      "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
     {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
@@ -55,7 +58,7 @@ inline std::string free_text(const CGAL::Tandem::Statistics& s)
   std::ostringstream text;
   text << std::setprecision(3);
   const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
-  const std::vector<Free_reason> reasons = free_reasons(s.free_points);
+  const std::vector<Free_reason> reasons = free_reasons(s);
   if(reasons.empty())
     return "none";
   text << percent(s.free_points.total()) << " %: ";
@@ -240,10 +243,10 @@ inline std::string hash_text(const Run& run) { return text_of(std::hex, std::set
 inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  Json json = {{"input", utf8(run.input)}, {"normals", run.normals},   {"backend", s.backend},
-               {"device", run.device},     {"threads", run.threads},   {"processes", run.processes},
-               {"hash", hash_text(run)},   {"grid_step", s.grid_step}, {"is_grid_coarse", s.is_grid_coarse},
-               {"warnings", Json::array()}};
+  Json json = {{"input", utf8(run.input)},       {"normals", run.normals},   {"backend", s.backend},
+               {"device", run.device},           {"threads", run.threads},   {"processes", run.processes},
+               {"hash", hash_text(run)},         {"grid_step", s.grid_step}, {"is_grid_coarse", s.is_grid_coarse},
+               {"line_spacing", s.line_spacing}, {"warnings", Json::array()}};
   for(const std::string& warning : run.warnings)
     json["warnings"].push_back(utf8(warning));
   json["parameters"] = json_of(shapes.parameters());
@@ -308,6 +311,8 @@ inline std::string summary(const Shapes& shapes, const Run& run)
     out << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
         << p.minimum_region_size << " points";
   out << '\n';
+  if(s.line_spacing > 0)
+    row("scan lines") << "about " << s.line_spacing << " apart\n";
   if(!run.tolerance.note.empty())
     row("estimate") << run.tolerance.note << '\n';
   if(run.tolerance.is_of_each_point)

@@ -71,6 +71,24 @@ inline Cloud lattice(int n)
   return cloud;
 }
 
+// A corner of two faces on lines that are 30 times farther apart than their points, and a cable.
+inline Cloud scan_lines()
+{
+  scenes::Random random(6);
+  const auto noise = [&] { return .001 * random.gaussian(); };
+  Cloud cloud;
+  for(int line = 0; line < 24; ++line)
+    for(int i = 0; i < 100; ++i) {
+      const double y = .3 * line, along = .01 * i;
+      if(i < 70)
+        cloud.emplace_back(Kernel::Point_3(along, y, noise()), Kernel::Vector_3(0, 0, 1));
+      cloud.emplace_back(Kernel::Point_3(noise(), y, along), Kernel::Vector_3(1, 0, 0));
+    }
+  for(int i = 0; i < 300; ++i)
+    cloud.emplace_back(Kernel::Point_3(2 + .01 * i, 3 + noise(), 2 + noise()), Kernel::Vector_3(0, 0, 1));
+  return cloud;
+}
+
 // Some have so many points for each rank.
 inline std::vector<std::pair<std::string, Cloud>> border_clouds(std::size_t ranks = 1)
 {
@@ -92,6 +110,7 @@ inline std::vector<std::pair<std::string, Cloud>> border_clouds(std::size_t rank
           {"a wall", wall(3000, 30)},
           {"a strip", wall(2000, 3000)},
           {"a line", line},
+          {"scan lines", scan_lines()},
           {"two places", joined(cube, moved(cube, 900, -400, 200))},
           {"a far point", joined(cube, moved(repeated(1), 30000, 0, 0))},
           {"a huge offset", moved(cube, 4e6, -5e6, 300)},

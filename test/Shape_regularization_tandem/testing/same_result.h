@@ -53,7 +53,8 @@ inline Words shape_bits(const Shapes& shapes)
            t.number_of_ignored_tolerances, t.number_of_far_points, t.number_of_assigned_points, t.number_of_shapes,
            t.number_of_directions, t.number_of_planes, t.number_of_orthogonal_pairs, t.degrees_of_freedom,
            t.number_of_rounds, t.is_grid_coarse, t.has_estimated_normals, t.is_cancelled, t.coverage, t.mean_distance,
-           t.complexity, t.grid_step, t.score.fit, t.score.links, t.score.size, t.score.price, t.score.freedom);
+           t.complexity, t.grid_step, t.line_spacing, t.score.fit, t.score.links, t.score.size, t.score.price,
+           t.score.freedom);
   const CGAL::Tandem::Free_points& f = t.free_points;
   add_bits(all, f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {

@@ -107,6 +107,7 @@ struct Sorted_cloud {
   int k = 0;
   std::size_t ghosts = 0; // these two as those of Cloud_view
   std::uint32_t first = 0, first_of_points = 0;
+  double line_spacing_steps = 0; // from one scan line to the next; 0 without scan lines
 };
 
 } // namespace CGAL::Tandem::internal

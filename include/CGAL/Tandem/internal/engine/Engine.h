@@ -253,6 +253,7 @@ Engine_result Engine<Backend>::result()
   r.is_coarse = in_.grid.is_coarse;
   r.times = times_;
   r.peak_bytes = state_.peak_bytes;
+  r.line_spacing_steps = state_.points.cloud.line_spacing_steps;
   return r;
 }
 

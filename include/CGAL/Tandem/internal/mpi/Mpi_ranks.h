@@ -92,6 +92,8 @@ public:
     return std::uint64_t(p.rank) << 32 | p.index;
   }
 
+  std::uint32_t place_of(std::uint64_t number) const { return ghosts_->place_of(rank_point(number)); }
+
   template <class T>
   void refresh(T* table, Rings rings) const
   {

@@ -11,11 +11,14 @@
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_CROSS_SCAN_LINES_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tandem::internal {
@@ -39,13 +42,19 @@ struct Line_test {
   }
 };
 
+// Of the neighbors in a row: those from which normals are estimated.
+CGAL_TANDEM_HD inline int used_neighbors(int k)
+{
+  return k < tuning::normals::maximum_neighbors ? k : tuning::normals::maximum_neighbors;
+}
+
 // The neighborhood of surfel i and its row.
 CGAL_TANDEM_HD inline Neighborhood neighborhood_of_row(const Cloud_view& cloud, std::uint32_t i)
 {
   Neighborhood_sum sum;
   sum.add({0, 0, 0});
   const std::uint32_t* const row = cloud.row(i);
-  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+  for(int j = 0; j < used_neighbors(cloud.k) && row[j] != no_index; ++j)
     sum.add(difference(cloud.point[row[j]], cloud.point[i]));
   return sum.mean();
 }
@@ -168,7 +177,7 @@ struct Write_number {
 // With the tables of its points by place; ghosts have the latter, too.
 struct Thinned_view {
   Cloud_view cloud;
-  const std::uint32_t* surfel;    // that it is
+  const std::uint32_t* surfel;    // that it is: its place
   const std::uint32_t* direction; // of its line
 
   // The place of the octant of a surfel.
@@ -208,7 +217,6 @@ struct Cross_lines {
   Cloud_view cloud;
   Thinned_view thinned;
   const std::uint8_t* is_wide; // by place in the thinned cloud
-  std::uint32_t first_ghost;   // place of the first ghost of the thinned cloud among surfels
   std::uint8_t* is_line;
   std::uint32_t* neighbor;
 
@@ -222,13 +230,12 @@ struct Cross_lines {
     is_line[i] = 0;
     std::uint32_t* const row = neighbor + at * std::size_t(cloud.k);
     const std::uint32_t* const farther = thinned.cloud.row(place);
-    // Of long rows, normals are estimated from the first ones.
-    const int used = cloud.k < tuning::normals::maximum_neighbors ? cloud.k : tuning::normals::maximum_neighbors;
-    int size = used / 2;
-    for(int j = used / 2; j < cloud.k && farther[j] != no_index; ++j) {
-      const std::uint32_t s = surfel(farther[j]);
+    const int near = used_neighbors(cloud.k) / 2;
+    int size = near;
+    for(int j = near; j < cloud.k && farther[j] != no_index; ++j) {
+      const std::uint32_t s = thinned.surfel[farther[j]];
       bool is_new = s != i;
-      for(int nearer = 0; nearer < used / 2; ++nearer)
+      for(int nearer = 0; nearer < near; ++nearer)
         is_new = is_new && row[nearer] != s;
       if(is_new)
         row[size++] = s;
@@ -236,11 +243,55 @@ struct Cross_lines {
     for(; size < cloud.k; ++size)
       row[size] = no_index;
   }
+};
+
+// Sums the logarithms of the squared distances to the next line, over the surfels of lines with a row that is wide. The
+// bits of a double are its logarithm, but for a line between powers of two.
+struct Sum_spacings {
+  static constexpr int dropped_bits = 36; // so that a sum fits 64 bits
+
+  Cloud_view cloud;
+  const std::uint32_t* direction;
+  const std::uint8_t* is_line;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sum) const
+  {
+    const std::uint32_t i = std::uint32_t(at);
+    if(direction[i] == no_normal || is_line[i] != 0)
+      return;
+    // Neighbors on the line itself are near it, those on the next one at least half as far as the farthest.
+    double farthest = 0, nearest = 0;
+    for(const double bound : {0., .25})
+      for_each_squared_distance(i, [&](double d) {
+        if(bound == 0)
+          nearest = farthest = d > farthest ? d : farthest;
+        else if(d >= bound * farthest && d < nearest)
+          nearest = d;
+      });
+    if(nearest > 0) {
+      ++sum[0];
+      sum[1] += std::int64_t(ordered_bits(nearest) >> dropped_bits);
+    }
+  }
+
+  static double mean(std::int64_t sum, std::int64_t size)
+  {
+    return std::sqrt(from_ordered_bits(std::uint64_t(sum / size) << dropped_bits));
+  }
 
 private:
-  CGAL_TANDEM_HD std::uint32_t surfel(std::uint32_t place) const
+  // Of the neighbors from the line through surfel i.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_squared_distance(std::uint32_t i, F f) const
   {
-    return place < thinned.cloud.size ? thinned.surfel[place] : first_ghost + (place - thinned.cloud.size);
+    const Int_vector d = decode_normal(direction[i]);
+    const double length2 = double(std::int64_t(d.x) * d.x + std::int64_t(d.y) * d.y + std::int64_t(d.z) * d.z);
+    const std::uint32_t* const row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const Float_vector v = difference(cloud.point[row[j]], cloud.point[i]);
+      const float along = to_float(exact_dot(v, {to_float(d.x), to_float(d.y), to_float(d.z)}));
+      f(exact_dot(v, v) - exact_product(along, along) / length2);
+    }
   }
 };
 
@@ -265,12 +316,15 @@ public:
   Scan_line_crossing(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
                      const Buffer<Range>& cells, const Line_test& is_line)
     : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), test_(is_line), is_line_(view_.size),
-      direction_(view_.size), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
+      direction_(cloud.size_with_ghosts()), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
   {
-    Buffer<std::uint32_t> direction(cloud.size_with_ghosts());
-    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction.data()});
-    ranks_.refresh(direction.data(), Rings::inner);
-    backend_.for_each(view_.size, Mark_corners{view_, direction.data(), is_line_.data(), direction_.data()});
+    Buffer<std::uint32_t> before(direction_.size());
+    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction_.data()});
+    for(int pass = 0; pass < 2; ++pass) {
+      ranks_.refresh(direction_.data(), Rings::inner);
+      std::swap(before, direction_);
+      backend_.for_each(view_.size, Mark_corners{view_, before.data(), is_line_.data(), direction_.data()});
+    }
     backend_.for_each(cells.size(), Mark_first{cells.data(), is_first_of_cell_.data()});
   }
 
@@ -291,6 +345,16 @@ public:
     return added;
   }
 
+  // The mean distance to the next line, in steps, after the ranks have been connected again; 0 if no row is wide.
+  double spacing_steps() const
+  {
+    const auto own =
+      backend_.template sum<2>(view_.size, Sum_spacings{cloud_.view(), direction_.data(), is_line_.data()});
+    const std::vector<std::uint64_t> all =
+      ranks_.total(std::vector<std::uint64_t>{std::uint64_t(own[0]), std::uint64_t(own[1])});
+    return all[0] == 0 ? 0 : Sum_spacings::mean(std::int64_t(all[1]), std::int64_t(all[0]));
+  }
+
 private:
   bool is_any_left() const
   {
@@ -309,19 +373,34 @@ private:
     Buffer<std::uint32_t> direction(thinned.size_with_ghosts());
     backend_.for_each(n, Gather_items<std::uint32_t>{direction_.data(), surfel.data(), direction.data()});
     ranks.refresh(direction.data(), Rings::inner);
-    const Thinned_view view = {thinned.view(), surfel.data(), direction.data()};
+    const Buffer<std::uint32_t> with_ghosts = places(ranks, surfel, thinned.ghosts, added);
+    const Thinned_view view = {thinned.view(), with_ghosts.data(), direction.data()};
     Buffer<std::uint8_t> is_wide(n);
     backend_.for_each(n, Mark_wide{view, view_, test_, is_wide.data()});
-    const std::uint32_t first_ghost = std::uint32_t(cloud_.size_with_ghosts() + added.size());
-    backend_.for_each(view_.size,
-                      Cross_lines{view_, view, is_wide.data(), first_ghost, is_line_.data(), cloud_.neighbor.data()});
+    backend_.for_each(view_.size, Cross_lines{view_, view, is_wide.data(), is_line_.data(), cloud_.neighbor.data()});
+  }
+
+  // The places of the surfels of a thinned cloud, and of its ghosts. Ghosts that have none so far are added.
+  Buffer<std::uint32_t> places(const Ranks<Backend>& ranks, const Buffer<std::uint32_t>& surfel, std::size_t ghosts,
+                               std::vector<std::uint64_t>& added)
+  {
+    const std::size_t n = surfel.size();
+    Buffer<std::uint32_t> place = extended<std::uint32_t>(backend_, surfel, n + ghosts);
     if constexpr(Ranks<Backend>::are_many) {
-      Buffer<std::uint64_t> number(thinned.size_with_ghosts());
+      Buffer<std::uint64_t> number(n + ghosts);
       backend_.for_each(n, Write_number{surfel.data(), ranks_.number(0), number.data()});
       ranks.refresh(number.data(), Rings::inner);
-      const std::vector<std::uint64_t> all = to_vector(backend_, number);
-      added.insert(added.end(), all.begin() + std::ptrdiff_t(n), all.end());
+      std::vector<std::uint32_t> of_ghosts;
+      for(const std::uint64_t ghost : to_vector(backend_, number.data() + n, ghosts)) {
+        of_ghosts.push_back(ranks_.place_of(ghost));
+        if(of_ghosts.back() == no_index) {
+          of_ghosts.back() = std::uint32_t(cloud_.size_with_ghosts() + added.size());
+          added.push_back(ghost);
+        }
+      }
+      write_to(backend_, of_ghosts, place.data() + n);
     }
+    return place;
   }
 
   Backend& backend_;
@@ -347,8 +426,9 @@ void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Back
   const std::size_t sampled = ranks.total(std::size_t(own[0])), lines = ranks.total(std::size_t(own[1]));
   if(!tuning::scan_lines::of_cloud.is_exceeded(std::int64_t(lines), std::int64_t(sampled)))
     return;
-  const auto added = Scan_line_crossing<Backend>(backend, ranks, cloud, cells, is_line)(frame);
-  ranks.connect_again(cloud, rings, added);
+  Scan_line_crossing<Backend> crossing(backend, ranks, cloud, cells, is_line);
+  ranks.connect_again(cloud, rings, crossing(frame));
+  cloud.line_spacing_steps = crossing.spacing_steps();
 }
 
 } // namespace CGAL::Tandem::internal

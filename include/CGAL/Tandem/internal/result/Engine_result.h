@@ -41,6 +41,7 @@ struct Engine_result {
   bool is_coarse = false;
   Stage_times times;
   std::size_t peak_bytes = 0;
+  double line_spacing_steps = 0; // 0 without scan lines
 };
 
 } // namespace CGAL::Tandem::internal

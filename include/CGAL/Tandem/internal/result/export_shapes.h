@@ -240,6 +240,7 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   statistics.number_of_rounds = result.rounds;
   statistics.is_cancelled = result.is_cancelled;
   statistics.peak_bytes = result.peak_bytes;
+  statistics.line_spacing = result.line_spacing_steps * in.grid.step;
   statistics.times = result.times;
   return data;
 }

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points on scan lines that are 30 times farther apart than they are: neighbors are on other lines of the surface, also at
+// its border, where lines turn, and where noise gives lines a width. All other rows stay. Shapes are whole faces, and
+// cables, poles and wires take no part of them.
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/neighbors/cross_scan_lines.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_scan_lines)
+
+using namespace CGAL::Tandem::internal;
+
+constexpr std::int32_t along = 100, gap = 30 * along; // from a point to the next one, from a line to the next one
+
+struct Lines {
+  std::vector<Grid_point> point;
+  double epsilon;
+};
+
+// The profiles of a floor and a wall, whose lines turn up where they meet, with a noise in steps; a cable far above.
+Lines make_corner(std::int32_t noise)
+{
+  scenes::Random random(5);
+  const auto bump = [&] { return std::int32_t((2 * random.uniform() - 1) * noise); };
+  Lines lines;
+  lines.epsilon = (std::max)(2. * noise, 50.);
+  for(std::int32_t line = 0; line < 20; ++line)
+    for(std::int32_t i = 0; i < 200; ++i) {
+      const std::int32_t x = i < 100 ? 0 : (i - 100) * along, z = i < 100 ? (100 - i) * along : 0;
+      lines.point.push_back({x + bump(), line * gap + bump(), z + bump(), no_normal});
+    }
+  for(std::int32_t i = 0; i < 300; ++i)
+    lines.point.push_back({i * along + bump(), 10 * gap + bump(), 40 * gap + bump(), no_normal});
+  return lines;
+}
+
+bool is_of_cable(const Grid_point& p) { return p.z > 30 * gap; }
+int line_of(const Grid_point& p) { return is_of_cable(p) ? -1 : int((p.y + gap / 2) / gap); }
+
+// The rows before and after, and what else there is.
+struct Crossing {
+  Fixture before;
+  std::vector<std::uint32_t> after;
+  double spacing = 0;
+
+  Crossing(const Lines& lines, int k, std::size_t cell_size) : k_(k), epsilon_(lines.epsilon)
+  {
+    set_points(before, lines.point, k, cell_size);
+    cross(Sequential_backend(), "sequential");
+    const std::vector<std::uint32_t> expected = after;
+    const double expected_spacing = spacing;
+    on_body_backends([&](auto backend, const std::string& name) {
+      cross(backend, name);
+      CHECK_AT(after == expected && spacing == expected_spacing, name);
+    });
+  }
+
+  const std::uint32_t* row(std::uint32_t i) const { return &after[i * std::size_t(k_)]; }
+
+private:
+  template <class Backend>
+  void cross(Backend backend, const std::string&)
+  {
+    Sorted_cloud<Backend> cloud;
+    cloud.k = k_;
+    cloud.point = to_buffer(backend, before.point);
+    cloud.neighbor = to_buffer(backend, before.neighbor);
+    Ranks<Backend> ranks(backend);
+    const auto cells = to_buffer(backend, before.cells);
+    cross_scan_lines(backend, ranks, cloud, cells, make_code_frame(before.point.data(), before.point.size()), epsilon_,
+                     1);
+    after = to_vector(backend, cloud.neighbor);
+    spacing = cloud.line_spacing_steps;
+  }
+
+  int k_;
+  double epsilon_;
+};
+
+BOOST_AUTO_TEST_CASE(rows)
+{
+  for(const std::int32_t noise : {0, 30, 100})
+    for(const int k : {8, 12, 30})
+      for(const std::size_t cell_size : {std::size_t(64), std::size_t(8192)}) {
+        const Crossing c(make_corner(noise), k, cell_size);
+        const std::string where =
+          "noise " + std::to_string(noise) + ", k = " + std::to_string(k) + ", cells of " + std::to_string(cell_size);
+        const std::vector<Grid_point>& point = c.before.point;
+        int alone = 0;
+        for(std::uint32_t i = 0; i < point.size(); ++i) {
+          const std::uint32_t* const row = c.row(i);
+          const std::string at = where + ", point " + std::to_string(i);
+          const int size = int(std::find(row, row + k, no_index) - row);
+          const int near = (std::min)(k, 12) / 2;
+          CHECK_AT(size >= near && std::equal(row, row + near, c.before.cloud.row(i)), at + ": the nearest ones");
+          const std::set<std::uint32_t> distinct(row, row + size);
+          CHECK_AT(distinct.size() == std::size_t(size) && distinct.count(i) == 0 && *distinct.rbegin() < point.size(),
+                   at + ": one is there twice");
+          const int own = line_of(point[i]);
+          std::set<int> others;
+          for(int j = 0; j < size; ++j)
+            others.insert(line_of(point[row[j]]));
+          CHECK_AT(own < 0 || others.count(-1) == 0, at + ": a point of the cable");
+          alone += own >= 0 && others.size() < 2;
+        }
+        check_equal(alone, 0, where + ": points without a neighbor on another line");
+        CHECK_AT(c.spacing > .75 * gap && c.spacing < 1.3 * gap,
+                 where + ": lines " + std::to_string(c.spacing) + " apart");
+      }
+}
+
+// Where points are evenly spaced, few neighborhoods are lines by chance.
+BOOST_AUTO_TEST_CASE(other_clouds_keep_their_rows)
+{
+  for(const Fixture& fixture : fixtures()) {
+    const Crossing c({fixture.point, double(fixture.tolerance.distance) / normal_scale}, fixture.cloud.k, 8192);
+    CHECK_AT(c.after == c.before.neighbor && c.spacing == 0, fixture.name);
+  }
+}
+
+// --- Shapes. A lidar of 32 beams between two walls, above the floor; before it a cable, a pole and a fence of wires.
+
+enum Part { floor_part, left_wall, right_wall, cable, pole, fence };
+
+struct Street {
+  Cloud cloud;
+  std::vector<Part> part;
+  std::vector<int> beam;
+
+  Street()
+  {
+    scenes::Random random(7);
+    constexpr double degree = 3.14159265358979 / 180;
+    for(int b = 0; b < 32; ++b)
+      for(int a = 0; a < 1800; ++a) {
+        const double e = (-15 + 30. / 31 * b) * degree, azimuth = .2 * a * degree;
+        const scenes::Vec d = {std::cos(e) * std::cos(azimuth), std::cos(e) * std::sin(azimuth), std::sin(e)};
+        const auto [distance, hit] = first_hit(d);
+        if(distance > 40 || (hit == left_wall || hit == right_wall ? d.z * distance > 10 : false))
+          continue;
+        add(cloud, (distance + .02 * random.gaussian()) * d, {0, 0, 0});
+        part.push_back(hit);
+        beam.push_back(b);
+      }
+  }
+
+private:
+  static std::pair<double, Part> first_hit(const scenes::Vec& d)
+  {
+    std::pair<double, Part> first = {1000, floor_part};
+    const auto hits = [&](double distance, Part hit) {
+      if(distance > .5 && distance < first.first)
+        first = {distance, hit};
+    };
+    hits(-1.8 / d.z, floor_part);
+    hits(8 / d.y, left_wall);
+    hits(-6 / d.y, right_wall);
+    // Around an axis in x or z through (u, v), in the plane of d.x or d.z and the others; within a distance on it.
+    const auto hits_tube = [&](double along, double du, double dv, double u, double v, double radius, double reach,
+                               Part hit) {
+      const double a = du * du + dv * dv, b = du * u + dv * v, c = u * u + v * v - radius * radius;
+      const double root = b * b - a * c, distance = root < 0 ? 0 : (b - std::sqrt(root)) / a;
+      if(std::fabs(along * distance) < reach)
+        hits(distance, hit);
+    };
+    hits_tube(d.x, d.y, d.z, 1, 3, .03, 39, cable);
+    hits_tube(d.z, d.x, d.y, -4, 2, .15, 1.8, pole);
+    for(int wire = 0; wire < 8; ++wire)
+      hits_tube(d.x, d.y, d.z, 4, -1.7 + .15 * wire, .01, 10, fence);
+    return first;
+  }
+};
+
+BOOST_AUTO_TEST_CASE(street)
+{
+  const Street street;
+  for(const double epsilon : {.06, .08}) {
+    const std::string where = "epsilon " + std::to_string(epsilon) + ": ";
+    const Shapes shapes = detect_valid("street", street.cloud, make_parameters(epsilon, 100), Given::nothing);
+    std::map<std::size_t, std::map<Part, int>> parts; // of each shape
+    std::map<Part, std::map<std::size_t, int>> shapes_of;
+    std::map<Part, int> size;
+    for(std::size_t i = 0; i < street.cloud.size(); ++i) {
+      ++size[street.part[i]];
+      if(const auto s = shapes.shape_indices()[i]; s >= 0) {
+        ++parts[std::size_t(s)][street.part[i]];
+        ++shapes_of[street.part[i]][std::size_t(s)];
+      }
+    }
+    for(const Part face : {floor_part, left_wall, right_wall}) {
+      int largest = 0;
+      for(const auto& [s, points] : shapes_of[face])
+        largest = (std::max)(largest, points);
+      CHECK_AT(largest > .8 * size[face], where + "face " + std::to_string(face) + " has " + std::to_string(largest) +
+                                            " of " + std::to_string(size[face]) + " points in one shape");
+    }
+    CHECK_AT(size[cable] > 10 && size[pole] > 100 && size[fence] > 100, where + "too little is seen");
+    CHECK_AT(shapes_of[cable].empty(), where + "the cable is in a shape");
+    for(const auto& [s, of] : parts) {
+      int surface = 0, other = 0;
+      for(const auto& [part, points] : of)
+        (part <= right_wall ? surface : other) += points;
+      CHECK_AT((std::min)(surface, other) <= .05 * (surface + other),
+               where + "shape " + std::to_string(s) + " has " + std::to_string(surface) + " points of faces and " +
+                 std::to_string(other) + " of poles and wires");
+    }
+  }
+}
+
+// All points of the first and the last line of a face, and of its ends.
+BOOST_AUTO_TEST_CASE(border)
+{
+  scenes::Random random(8);
+  Cloud cloud;
+  for(int line = 0; line < 30; ++line)
+    for(int i = 0; i < 200; ++i)
+      add(cloud, {.002 * i, .06 * line, .0005 * random.gaussian()}, {0, 0, 0});
+  for(const double epsilon : {0., .0075}) { // lines are 8 epsilons apart; or estimated
+    Parameters parameters;
+    parameters.maximum_distance = epsilon;
+    const Shapes shapes = detect_valid("profiles", cloud, parameters, Given::nothing);
+    check_equal(shapes.number_of_shapes(), std::size_t(1), "epsilon " + std::to_string(epsilon) + ": shapes");
+    int missing = 0;
+    for(const auto s : shapes.shape_indices())
+      missing += s < 0;
+    CHECK_AT(missing < 60, "epsilon " + std::to_string(epsilon) + ": free points " + std::to_string(missing));
+    const double spacing = shapes.statistics().line_spacing;
+    CHECK_AT(spacing > .05 && spacing < .07, std::to_string(spacing));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
