@@ -76,8 +76,8 @@ def render(cloud, name, options):
     """Of the result of detect_planes --output; the options are assignments, see picture.gnuplot."""
     header = cloud.read_bytes().split(b"end_header\n")[0].decode() + "end_header\n"
     types = re.findall(r"^property (\w+)", header, re.M)
-    layout = "points = {}; bytes = {}; types = '{}'".format(
-        re.search(r"element vertex (\d+)", header)[1], len(header),
+    layout = "points = {}; bytes = {}; shape = {}; types = '{}'".format(  # the shape is the last column
+        re.search(r"element vertex (\d+)", header)[1], len(header), len(types),
         "".join("%int32" if t == "int" else "%" + t for t in types))
     run("gnuplot", "-c", FIGURES / "picture.gnuplot", cloud, picture(name), layout, options)
 
