@@ -9,6 +9,7 @@
 #   draw.py curves          of knobs.csv: *_curves.png
 #   draw.py outlines        three facades
 #   draw.py surfaces        the closed surfaces of a generated house and of the building
+#   draw.py sensors         what the commands of the page of sensors find in its generated scenes
 #   draw.py tasks           runs the first commands of each of the three task pages, and keeps what they print: *.out
 #   draw.py check           runs these, draws nothing, and fails where they print other lines than were kept
 #   draw.py building        the result of the demo beside its cloud
@@ -76,8 +77,8 @@ def render(cloud, name, options):
     """Of the result of detect_planes --output; the options are assignments, see picture.gnuplot."""
     header = cloud.read_bytes().split(b"end_header\n")[0].decode() + "end_header\n"
     types = re.findall(r"^property (\w+)", header, re.M)
-    layout = "points = {}; bytes = {}; types = '{}'".format(
-        re.search(r"element vertex (\d+)", header)[1], len(header),
+    layout = "points = {}; bytes = {}; shape = {}; types = '{}'".format(  # the shape is the last column
+        re.search(r"element vertex (\d+)", header)[1], len(header), len(types),
         "".join("%int32" if t == "int" else "%" + t for t in types))
     run("gnuplot", "-c", FIGURES / "picture.gnuplot", cloud, picture(name), layout, options)
 
@@ -154,6 +155,20 @@ def surfaces(work):
     draw_surfaces("surfaces", (work / "house.off", 220, 30), (work / "building.off", 220, 30))
 
 
+def sensors(work):
+    """The commands of the page run on the scenes of their names."""
+    build(FIGURES, BUILD / "results", "sensor_scenes")
+    run(BUILD / "results/sensor_scenes", work)
+    here = {"cwd": work, "env": {**os.environ, "PATH": f"{program('detect_planes').parent}:{os.environ['PATH']}"}}
+    views = {"lidar": "azimuth = 250; inside = 1; size = 0.1", "profiles": "azimuth = 250; elevation = 50; size = 0.1",
+             "depth": "azimuth = 220; elevation = 30", "terrestrial": "elevation = 50; inside = 1",
+             "aerial": "azimuth = 250; elevation = 45", "images": "azimuth = 250"}
+    page = (MANUAL / "Sensors.txt").read_text()
+    for name, command in re.findall(r"^(?=detect_planes (\w+)\.ply)(.*?)\n\\endverbatim", page, re.M | re.S):
+        print(output_of("sh", "-euc", f"{command} --output sensor_{name}.ply", **here))
+        render(work / f"sensor_{name}.ply", f"sensor_{name}", f"alone = 1; width = 460; height = 330; {views[name]}")
+
+
 def differences(work, name, printed, keeps):
     """What was printed is kept, or compared with what was kept."""
     kept = MANUAL / f"tables/{name}.out"
@@ -209,7 +224,7 @@ def view(work, page=None, to=None, address="", size="1280,800"):
 
 
 PICTURES = {"building": building_picture, **{f.__name__: f for f in (
-    results, knobs, curves, outlines, surfaces, tasks, check, view)}}
+    results, knobs, curves, outlines, surfaces, sensors, tasks, check, view)}}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2 or sys.argv[1] not in PICTURES:

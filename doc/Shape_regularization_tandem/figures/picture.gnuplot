@@ -3,11 +3,13 @@
 #
 # Draws the points of a PLY file in the colors of their shapes; called by draw.py.
 # The projection is parallel, near points hide far ones, and the normals shade them. Arguments: the file, the picture,
-# the layout of the file (number of points, bytes of the header, types of the columns), and options as assignments: where
-# the viewer stands (azimuth 0: in the direction of x, 90: of y), how high (elevation), pixels of one view (width, height),
-# and whether only the shapes are drawn (alone), not the cloud in grey beside them.
+# the layout of the file (number of points, bytes of the header, column of the shape, types of the columns), and options as
+# assignments: where the viewer stands (azimuth 0: in the direction of x, 90: of y), how high (elevation), pixels of one
+# view (width, height), whether only the shapes are drawn (alone), not the cloud in grey beside them, whether only the
+# sides of shapes are drawn that a sensor at the origin sees (inside), to look into rooms, and the size of points (0: by
+# their number).
 
-azimuth = 30; elevation = 35; width = 600; height = 450; alone = 0
+azimuth = 30; elevation = 35; width = 600; height = 450; alone = 0; inside = 0; size = 0
 eval ARG3
 eval ARG4
 
@@ -19,7 +21,9 @@ picture_y(c) = cos(elevation) * column(c + 2) - sin(elevation) * away(c)
 nearness(c) = cos(elevation) * away(c) + sin(elevation) * column(c + 2)
 
 # Columns of the file. Light comes from the upper left, in steps: few colors make small files.
-point = 1; normal = 4; red = 7; green = 8; blue = 9; shape = 10
+point = 1; normal = 4; red = 7; green = 8; blue = 9
+behind(c) = column(c) * column(1) + column(c + 1) * column(2) + column(c + 2) * column(3) > 0
+is_drawn(c) = !inside || column(shape) < 0 || behind(c) != (nearness(c) > 0)
 cosine(c) = abs(0.68 * nearness(c) + 0.60 * picture_y(c) - 0.42 * picture_x(c))
 light(c) = 0.6 + 0.05 * floor(8 * cosine(c) + 0.5)
 rgb(r, g, b) = 65536 * int(r) + 256 * int(g) + int(b)
@@ -35,15 +39,15 @@ stats file @layout using (picture_x(point)):(picture_y(point)) nooutput
 lower(least, mean, deviation) = least < mean - 4 * deviation ? mean - 4 * deviation : least
 set xrange [lower(STATS_min_x, STATS_mean_x, STATS_stddev_x):-lower(-STATS_max_x, -STATS_mean_x, STATS_stddev_x)]
 set yrange [lower(STATS_min_y, STATS_mean_y, STATS_stddev_y):-lower(-STATS_max_y, -STATS_mean_y, STATS_stddev_y)]
-size = 0.17 * sqrt(1.0 * width * height / points)
-size = size < 0.22 ? 0.22 : size > 0.6 ? 0.6 : size
+even = 0.17 * sqrt(1.0 * width * height / points)
+size = size > 0 ? size : even < 0.22 ? 0.22 : even > 0.6 ? 0.6 : even
 
 set terminal png size (alone ? 1 : 2) * width, height
 set output ARG2
 unset key; unset border; unset tics
 set size ratio -1
 set margins 1, 1, 1, 1
-place = "(picture_x(point)):(picture_y(point)):(nearness(point))"
+place = "(is_drawn(normal) ? picture_x(point) : NaN):(picture_y(point)):(nearness(point))"
 style = "smooth zsort with points pointtype 5 pointsize variable linecolor rgb variable"
 if (!alone) {
   set multiplot layout 1,2
