@@ -68,7 +68,7 @@ inline Local_plane make_local_plane(const Grid_point* point, std::uint32_t i, co
     moments.add(p);
   }
   const Eigen_system e = eigen_system(make_scatter(moments).matrix);
-  if(places < minimum_places || !(e.value[1] > 0))
+  if(places < minimum_places || !(e.value[1] > tuning::scan_lines::width2_of_length2 * e.value[2])) // a line
     return plane;
   const double smallest = e.value[0] > 0 ? e.value[0] : 0;
   return {places, std::sqrt(smallest / (places - 3)), std::sqrt(smallest / e.value[1]), std::sqrt(squared_radius),
