@@ -250,7 +250,7 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
 // There are free points. Ratios of all points, as those of the summary are.
 inline std::string why_poor(const CGAL::Tandem::Statistics& s)
 {
-  const Free_reason reason = free_reasons(s.free_points).at(0);
+  const Free_reason reason = free_reasons(s).at(0);
   const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
   return sentence("only ", percent(s.number_of_assigned_points), " % of the points are in shapes, and ",
                   percent(reason.points), " % are ", reason.name, ": ", reason.advice);

@@ -17,7 +17,6 @@
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/neighbors/join_surfels.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
-#include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 
 #include <vector>
 
@@ -84,7 +83,7 @@ void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_clo
 
 // The points have been sorted, and cloud.k is set. The values that a device has are dropped.
 template <class Backend>
-void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Stage_parameters& parameters)
+void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& tight)
 {
   Backend& backend = points.backend;
   const int rings = in.has_normals ? 1 : 3; // normals are estimated from neighbors of neighbors
@@ -93,9 +92,9 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Stage_param
   if(join_surfels(backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
     find_rows(backend, points.ranks, points.cloud, rings);
   cross_scan_lines(backend, points.ranks, points.cloud, points.cells, make_code_frame(in.low, in.high, in.surfel_cells),
-                   parameters.maximum_distance_steps, rings);
+                   rings);
   if(in.has_normals)
-    cut_wall_sides(backend, points.ranks, points.cloud, parameters.tight);
+    cut_wall_sides(backend, points.ranks, points.cloud, tight);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -108,7 +108,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     return false;
 
   Stage_timer search(times.neighbors);
-  connect_cloud(points, in, t.options);
+  connect_cloud(points, in, t.options.tight);
   backend.wait();
   search.stop();
 

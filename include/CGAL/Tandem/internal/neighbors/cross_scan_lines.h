@@ -25,22 +25,14 @@ namespace CGAL::Tandem::internal {
 
 // --- Which neighborhoods are lines.
 
-// Whether a neighborhood is narrow: against its length, or against the noise, which gives a line a width.
-struct Line_test {
-  double noise2; // squared grid steps, at epsilon
-
-  CGAL_TANDEM_HD bool operator()(const Neighborhood& h, std::uint8_t level) const
-  {
-    const covariance::Matrix c = covariance::cofactors({h.xx, h.xy, h.xz, h.yy, h.yz, h.zz});
-    // Of the variances a >= b >= c: their sum, and a b + b c + c a. So the width b is about product / sum.
-    const double sum = double(h.xx) + h.yy + h.zz, product = double(c.xx) + c.yy + c.zz;
-    const double noise = noise2 * level_factor(level) * level_factor(level);
-    const double narrow = tuning::scan_lines::width2_of_length2 * sum;
-    const double widest = tuning::scan_lines::noisy_width2_of_length2 * sum;
-    const double width = noise < narrow ? narrow : noise < widest ? noise : widest;
-    return !(product > width * sum);
-  }
-};
+// Whether a neighborhood is narrow.
+CGAL_TANDEM_HD inline bool is_line(const Neighborhood& h)
+{
+  const covariance::Matrix c = covariance::cofactors({h.xx, h.xy, h.xz, h.yy, h.yz, h.zz});
+  // Of the variances a >= b >= c: their sum, and a b + b c + c a. So b / a is about product / sum^2.
+  const double sum = double(h.xx) + h.yy + h.zz, product = double(c.xx) + c.yy + c.zz;
+  return !(product > tuning::scan_lines::width2_of_length2 * sum * sum);
+}
 
 // Of the neighbors in a row: those from which normals are estimated.
 CGAL_TANDEM_HD inline int used_neighbors(int k)
@@ -62,7 +54,6 @@ CGAL_TANDEM_HD inline Neighborhood neighborhood_of_row(const Cloud_view& cloud, 
 // Counts the lines among the rows of a sample, by position in the cloud of all ranks.
 struct Count_lines {
   Cloud_view cloud;
-  Line_test is_line;
 
   CGAL_TANDEM_HD void operator()(std::size_t sampled, std::int64_t* sum) const
   {
@@ -71,7 +62,7 @@ struct Count_lines {
     if(i >= cloud.size)
       return;
     ++sum[0];
-    sum[1] += is_line(neighborhood_of_row(cloud, i), cloud.level_of(i));
+    sum[1] += is_line(neighborhood_of_row(cloud, i));
   }
 };
 
@@ -96,16 +87,15 @@ CGAL_TANDEM_HD inline bool are_along(std::uint32_t a, std::uint32_t b)
 // By surfel: whether its row is a line, and the direction of that; no_normal for others.
 struct Mark_lines {
   Cloud_view cloud;
-  Line_test test;
-  std::uint8_t* is_line;
+  std::uint8_t* is_narrow;
   std::uint32_t* direction;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
     const Neighborhood h = neighborhood_of_row(cloud, i);
-    is_line[i] = test(h, cloud.level_of(i));
-    direction[i] = is_line[i] ? line_direction(h) : no_normal;
+    is_narrow[i] = is_line(h);
+    direction[i] = is_narrow[i] ? line_direction(h) : no_normal;
   }
 };
 
@@ -115,7 +105,7 @@ struct Mark_lines {
 struct Mark_corners {
   Cloud_view cloud;
   const std::uint32_t* before;
-  std::uint8_t* is_line;
+  std::uint8_t* is_narrow;
   std::uint32_t* direction;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -130,9 +120,9 @@ struct Mark_corners {
         if(nearest == no_normal)
           nearest = d;
       }
-    if(is_line[i] != 0 || lines == 0 || lines * tuning::scan_lines::neighbors_per_line < size)
+    if(is_narrow[i] != 0 || lines == 0 || lines * tuning::scan_lines::neighbors_per_line < size)
       return;
-    is_line[i] = 1;
+    is_narrow[i] = 1;
     direction[i] = nearest;
   }
 };
@@ -191,8 +181,6 @@ struct Thinned_view {
 // point: where a line turns a corner, it has a width, but it does not show the surface across it.
 struct Mark_wide {
   Thinned_view thinned;
-  Cloud_view cloud;
-  Line_test is_line;
   std::uint8_t* is_wide;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
@@ -207,7 +195,7 @@ struct Mark_wide {
       if(own == no_normal || other == no_normal || are_along(own, other))
         sum.add(difference(of.point[row[j]], of.point[i]));
     }
-    is_wide[i] = !is_line(sum.mean(), cloud.level_of(thinned.surfel[i]));
+    is_wide[i] = !is_line(sum.mean());
   }
 };
 
@@ -217,17 +205,17 @@ struct Cross_lines {
   Cloud_view cloud;
   Thinned_view thinned;
   const std::uint8_t* is_wide; // by place in the thinned cloud
-  std::uint8_t* is_line;
+  std::uint8_t* is_narrow;
   std::uint32_t* neighbor;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    if(is_line[at] == 0)
+    if(is_narrow[at] == 0)
       return;
     const std::uint32_t i = std::uint32_t(at), place = thinned.place_of(i);
     if(is_wide[place] == 0)
       return;
-    is_line[i] = 0;
+    is_narrow[i] = 0;
     std::uint32_t* const row = neighbor + at * std::size_t(cloud.k);
     const std::uint32_t* const farther = thinned.cloud.row(place);
     const int near = used_neighbors(cloud.k) / 2;
@@ -252,12 +240,12 @@ struct Sum_spacings {
 
   Cloud_view cloud;
   const std::uint32_t* direction;
-  const std::uint8_t* is_line;
+  const std::uint8_t* is_narrow;
 
   CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sum) const
   {
     const std::uint32_t i = std::uint32_t(at);
-    if(direction[i] == no_normal || is_line[i] != 0)
+    if(direction[i] == no_normal || is_narrow[i] != 0)
       return;
     // Neighbors on the line itself are near it, those on the next one at least half as far as the farthest.
     double farthest = 0, nearest = 0;
@@ -314,16 +302,16 @@ class Scan_line_crossing {
 
 public:
   Scan_line_crossing(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
-                     const Buffer<Range>& cells, const Line_test& is_line)
-    : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), test_(is_line), is_line_(view_.size),
+                     const Buffer<Range>& cells)
+    : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), is_narrow_(view_.size),
       direction_(cloud.size_with_ghosts()), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
   {
     Buffer<std::uint32_t> before(direction_.size());
-    backend_.for_each(view_.size, Mark_lines{view_, test_, is_line_.data(), direction_.data()});
+    backend_.for_each(view_.size, Mark_lines{view_, is_narrow_.data(), direction_.data()});
     for(int pass = 0; pass < 2; ++pass) {
       ranks_.refresh(direction_.data(), Rings::inner);
       std::swap(before, direction_);
-      backend_.for_each(view_.size, Mark_corners{view_, before.data(), is_line_.data(), direction_.data()});
+      backend_.for_each(view_.size, Mark_corners{view_, before.data(), is_narrow_.data(), direction_.data()});
     }
     backend_.for_each(cells.size(), Mark_first{cells.data(), is_first_of_cell_.data()});
   }
@@ -349,7 +337,7 @@ public:
   double spacing_steps() const
   {
     const auto own =
-      backend_.template sum<2>(view_.size, Sum_spacings{cloud_.view(), direction_.data(), is_line_.data()});
+      backend_.template sum<2>(view_.size, Sum_spacings{cloud_.view(), direction_.data(), is_narrow_.data()});
     const std::vector<std::uint64_t> all =
       ranks_.total(std::vector<std::uint64_t>{std::uint64_t(own[0]), std::uint64_t(own[1])});
     return all[0] == 0 ? 0 : Sum_spacings::mean(std::int64_t(all[1]), std::int64_t(all[0]));
@@ -358,7 +346,7 @@ public:
 private:
   bool is_any_left() const
   {
-    return ranks_.total(std::size_t(backend_.template sum<1>(view_.size, Count_marked{is_line_.data()})[0])) > 0;
+    return ranks_.total(std::size_t(backend_.template sum<1>(view_.size, Count_marked{is_narrow_.data()})[0])) > 0;
   }
 
   void cross(const Buffer<std::uint32_t>& surfel, std::vector<std::uint64_t>& added)
@@ -376,8 +364,8 @@ private:
     const Buffer<std::uint32_t> with_ghosts = places(ranks, surfel, thinned.ghosts, added);
     const Thinned_view view = {thinned.view(), with_ghosts.data(), direction.data()};
     Buffer<std::uint8_t> is_wide(n);
-    backend_.for_each(n, Mark_wide{view, view_, test_, is_wide.data()});
-    backend_.for_each(view_.size, Cross_lines{view_, view, is_wide.data(), is_line_.data(), cloud_.neighbor.data()});
+    backend_.for_each(n, Mark_wide{view, is_wide.data()});
+    backend_.for_each(view_.size, Cross_lines{view_, view, is_wide.data(), is_narrow_.data(), cloud_.neighbor.data()});
   }
 
   // The places of the surfels of a thinned cloud, and of its ghosts. Ghosts that have none so far are added.
@@ -407,8 +395,7 @@ private:
   const Ranks<Backend>& ranks_;
   Sorted_cloud<Backend>& cloud_;
   Cloud_view view_;
-  Line_test test_;
-  Buffer<std::uint8_t> is_line_; // by surfel: its row is still a line
+  Buffer<std::uint8_t> is_narrow_; // by surfel: its row is still a line
   Buffer<std::uint32_t> direction_;
   Buffer<std::uint8_t> is_first_of_cell_;
 };
@@ -416,17 +403,14 @@ private:
 // Whether there are scan lines is decided for the whole cloud. The rows are complete; rings: as in Ranks::connect().
 template <class Backend>
 void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
-                      const Buffer_of<Backend, Range>& cells, const Code_frame& frame, double epsilon_steps, int rings)
+                      const Buffer_of<Backend, Range>& cells, const Code_frame& frame, int rings)
 {
   const Cloud_view view = cloud.view();
-  const double noise = tuning::scan_lines::width_of_noise * epsilon_steps;
-  const Line_test is_line = {noise * noise};
-  const auto own =
-    backend.template sum<2>(view.size / tuning::scan_lines::surfels_per_sampled + 1, Count_lines{view, is_line});
+  const auto own = backend.template sum<2>(view.size / tuning::scan_lines::surfels_per_sampled + 1, Count_lines{view});
   const std::size_t sampled = ranks.total(std::size_t(own[0])), lines = ranks.total(std::size_t(own[1]));
   if(!tuning::scan_lines::of_cloud.is_exceeded(std::int64_t(lines), std::int64_t(sampled)))
     return;
-  Scan_line_crossing<Backend> crossing(backend, ranks, cloud, cells, is_line);
+  Scan_line_crossing<Backend> crossing(backend, ranks, cloud, cells);
   ranks.connect_again(cloud, rings, crossing(frame));
   cloud.line_spacing_steps = crossing.spacing_steps();
 }

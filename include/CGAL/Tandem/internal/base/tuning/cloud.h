@@ -52,16 +52,14 @@ constexpr Ratio joined = {3, 10};
 // Neighbors across scan lines. See cross_scan_lines.h.
 namespace scan_lines {
 
-// A neighborhood is a line if its squared width over its squared length is below the first. Or below the second, if the
-// width is less than that which noise gives to a line, in epsilons.
-constexpr double width2_of_length2 = 1. / 32;
-constexpr double noisy_width2_of_length2 = 1. / 8;
-constexpr double width_of_noise = .45;
+// A neighborhood is a line if its squared width over its squared length is less. Smaller: noise gives lines a width
+// (scan lines: F .70 with 1/32, .75 with 1/8). Larger: so have evenly spaced points by chance.
+constexpr double width2_of_length2 = 1. / 8;
 // Corners of lines have at least one neighbor of so many whose row is a line.
 constexpr int neighbors_per_line = 3;
 // There are scan lines where more than this ratio of the neighborhoods are lines: 0 to .02 on clouds with evenly spaced
-// points, .12 to .99 where points are on lines.
-constexpr Ratio of_cloud = {1, 20};
+// points, .05 if they are few, .12 to .99 where points are on lines.
+constexpr Ratio of_cloud = {1, 12};
 // Surfels of which one is looked at.
 constexpr std::uint32_t surfels_per_sampled = 8;
 // A cloud is not thinned again if more than this ratio of its points would stay.
