@@ -261,7 +261,10 @@ struct Rank_backend : Backend {};
 //                              so many steps from neighbor to neighbor lead to points of other ranks, which are added. All
 //                              but those of the last step have rows
 //   ghosts(rings)              how many
+//   connect_again(cloud, rings, added)  the same after rows have changed. Their entries are places as before, and, beyond
+//                              the ghosts, those of the points with the added numbers
 //   number(place)              of a point or ghost, the same on all ranks: rank << 32 | its place on its own rank
+//   place_of(number)           of the point or ghost with this number; no_index if it is neither
 //   refresh(table, rings)      entries of ghosts become those of the points
 //   refresh(table, sent)       the same of the inner ghosts and for integers: what has not changed is not sent again.
 //                              `sent` is a buffer for this table, empty at first
@@ -285,6 +288,10 @@ public:
   template <class Cloud>
   void connect(Cloud&, int)
   {}
+  template <class Cloud>
+  void connect_again(Cloud&, int, const std::vector<std::uint64_t>&)
+  {}
+  std::uint32_t place_of(std::uint64_t) const { return no_index; }
   template <class T>
   void refresh(T*, Rings) const
   {}
