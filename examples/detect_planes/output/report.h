@@ -39,7 +39,7 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
     {f.without_neighbors, "alone",
      "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
     {f.in_small_regions, "in small regions",
-     s.line_spacing > 0 ? "a face needs points of two scan lines, which are farther apart than small faces are wide"
+     s.line_spacing > 0 ? "a smaller --minimum-region-size adds more of them, but a face needs points of two scan lines"
                         : "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
      "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
@@ -312,7 +312,7 @@ inline std::string summary(const Shapes& shapes, const Run& run)
         << p.minimum_region_size << " points";
   out << '\n';
   if(s.line_spacing > 0)
-    row("scan lines") << "about " << s.line_spacing << " apart\n";
+    row("scan lines") << "about " << text_of(std::setprecision(2), s.line_spacing) << " apart\n";
   if(!run.tolerance.note.empty())
     row("estimate") << run.tolerance.note << '\n';
   if(run.tolerance.is_of_each_point)

@@ -102,8 +102,8 @@ struct Statistics {
   std::size_t peak_bytes = 0;         ///< memory of all tables that have an entry for each point, when they are largest
   double grid_step = 0;               ///< the width of a step of the grid, in units of the input
   bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
-  /// from one scan line to the next, in units of the input: the geometric mean over the points on lines; 0 if few points
-  /// are on lines
+  /// from one scan line to the next, in units of the input: about the geometric mean over the points whose nearest
+  /// neighbors are on a line; 0 if few of them are
   double line_spacing = 0;
   bool has_estimated_normals = false; ///< whether normals were estimated, because none were given
   bool is_cancelled = false;          ///< whether the callback ended the detection early

@@ -3,9 +3,9 @@
 //
 // Neighbors across scan lines. Many sensors sample on lines, which are much farther apart than the points of a line.
 // There the k nearest surfels of a surfel are on its own line: they tell nothing of the surface across it, and no shape
-// grows from one line to the next. Such a surfel gets half of its neighbors from a thinned cloud: the first surfel of each
-// octant, of the smallest octants where neighborhoods have a width. Changes rows of the neighbor graph. See the manual,
-// "Scan Lines".
+// grows from one line to the next. Such a surfel gets half of its neighbors from thinned clouds: the first surfel of each
+// octant, of the two smallest levels of octants where neighborhoods have a width. Changes rows of the neighbor graph. See
+// the manual, "Scan Lines".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_CROSS_SCAN_LINES_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_CROSS_SCAN_LINES_H
@@ -33,6 +33,10 @@ CGAL_TANDEM_HD inline bool is_line(const Neighborhood& h)
   const double sum = double(h.xx) + h.yy + h.zz, product = double(c.xx) + c.yy + c.zz;
   return !(product > tuning::scan_lines::width2_of_length2 * sum * sum);
 }
+
+// Thinned clouds from which a surfel gets neighbors. With one, lines at uneven distances are not connected: those of a pair
+// have a width by themselves.
+constexpr std::uint8_t needed_levels = 2;
 
 // Of the neighbors in a row: those from which normals are estimated.
 CGAL_TANDEM_HD inline int used_neighbors(int k)
@@ -84,18 +88,19 @@ CGAL_TANDEM_HD inline bool are_along(std::uint32_t a, std::uint32_t b)
   return 2 * product(u, v) * product(u, v) > product(u, u) * product(v, v);
 }
 
-// By surfel: whether its row is a line, and the direction of that; no_normal for others.
+// By surfel: how many thinned clouds it needs neighbors of, and the direction of its row if that is a line; no_normal for
+// others.
 struct Mark_lines {
   Cloud_view cloud;
-  std::uint8_t* is_narrow;
+  std::uint8_t* needed;
   std::uint32_t* direction;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
     const Neighborhood h = neighborhood_of_row(cloud, i);
-    is_narrow[i] = is_line(h);
-    direction[i] = is_narrow[i] ? line_direction(h) : no_normal;
+    needed[i] = is_line(h) ? needed_levels : 0;
+    direction[i] = needed[i] > 0 ? line_direction(h) : no_normal;
   }
 };
 
@@ -105,7 +110,7 @@ struct Mark_lines {
 struct Mark_corners {
   Cloud_view cloud;
   const std::uint32_t* before;
-  std::uint8_t* is_narrow;
+  std::uint8_t* needed;
   std::uint32_t* direction;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -114,23 +119,23 @@ struct Mark_corners {
     const std::uint32_t* const row = cloud.row(std::uint32_t(i));
     int lines = 0, size = 0;
     std::uint32_t nearest = no_normal;
-    for(; size < cloud.k && row[size] != no_index; ++size)
+    for(; size < used_neighbors(cloud.k) && row[size] != no_index; ++size)
       if(const std::uint32_t d = before[row[size]]; d != no_normal) {
         ++lines;
         if(nearest == no_normal)
           nearest = d;
       }
-    if(is_narrow[i] != 0 || lines == 0 || lines * tuning::scan_lines::neighbors_per_line < size)
+    if(needed[i] > 0 || lines == 0 || lines * tuning::scan_lines::neighbors_per_line < size)
       return;
-    is_narrow[i] = 1;
+    needed[i] = needed_levels;
     direction[i] = nearest;
   }
 };
 
-struct Count_marked {
-  const std::uint8_t* is_marked;
+struct Count_in_need {
+  const std::uint8_t* needed;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const { sum[0] += is_marked[i]; }
+  CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const { sum[0] += needed[i] > 0; }
 };
 
 // --- The thinned cloud.
@@ -142,7 +147,8 @@ struct Mark_first {
   CGAL_TANDEM_HD void operator()(std::size_t c) const { is_first[cell[c].first] = 1; }
 };
 
-// The first surfels of octants along the curve. An octant ends with the cell, so that it is on one rank.
+// The first surfels of octants along the curve. An octant ends with the cell, so that it is on one rank. Surfel 0 is the
+// first one of a cell.
 struct Begins_octant {
   const Grid_point* point;
   const std::uint8_t* is_first_of_cell;
@@ -190,7 +196,7 @@ struct Mark_wide {
     const std::uint32_t* const row = of.row(i);
     Neighborhood_sum sum;
     sum.add({0, 0, 0});
-    for(int j = 0; j < of.k && row[j] != no_index; ++j) {
+    for(int j = 0; j < used_neighbors(of.k) && row[j] != no_index; ++j) {
       const std::uint32_t other = thinned.direction[row[j]];
       if(own == no_normal || other == no_normal || are_along(own, other))
         sum.add(difference(of.point[row[j]], of.point[i]));
@@ -199,32 +205,34 @@ struct Mark_wide {
   }
 };
 
-// A surfel whose row is a line keeps its nearest neighbors, and gets the farther ones of the first surfel of its octant, if
-// those are no line.
+// A surfel in need keeps its nearest neighbors, and gets the farther ones of the first surfel of its octant, if those are no
+// line: the second half of its row, and then, from the next thinned cloud, the last quarter.
 struct Cross_lines {
   Cloud_view cloud;
   Thinned_view thinned;
   const std::uint8_t* is_wide; // by place in the thinned cloud
-  std::uint8_t* is_narrow;
+  std::uint8_t* needed;
   std::uint32_t* neighbor;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    if(is_narrow[at] == 0)
+    if(needed[at] == 0)
       return;
     const std::uint32_t i = std::uint32_t(at), place = thinned.place_of(i);
     if(is_wide[place] == 0)
       return;
-    is_narrow[i] = 0;
+    const int used = used_neighbors(cloud.k), kept = needed[i] == needed_levels ? used / 2 : used - used / 4;
+    --needed[i];
     std::uint32_t* const row = neighbor + at * std::size_t(cloud.k);
     const std::uint32_t* const farther = thinned.cloud.row(place);
-    const int near = used_neighbors(cloud.k) / 2;
-    int size = near;
-    for(int j = near; j < cloud.k && farther[j] != no_index; ++j) {
+    int size = 0;
+    while(size < kept && row[size] != no_index)
+      ++size;
+    for(int j = used / 2; j < cloud.k && size < cloud.k && farther[j] != no_index; ++j) {
       const std::uint32_t s = thinned.surfel[farther[j]];
       bool is_new = s != i;
-      for(int nearer = 0; nearer < near; ++nearer)
-        is_new = is_new && row[nearer] != s;
+      for(int other = 0; other < size; ++other)
+        is_new = is_new && row[other] != s;
       if(is_new)
         row[size++] = s;
     }
@@ -233,27 +241,27 @@ struct Cross_lines {
   }
 };
 
-// Sums the logarithms of the squared distances to the next line, over the surfels of lines with a row that is wide. The
+// Sums the logarithms of the squared distances to the next line, over the surfels that got neighbors across their line. The
 // bits of a double are its logarithm, but for a line between powers of two.
 struct Sum_spacings {
   static constexpr int dropped_bits = 36; // so that a sum fits 64 bits
 
   Cloud_view cloud;
   const std::uint32_t* direction;
-  const std::uint8_t* is_narrow;
+  const std::uint8_t* needed;
 
   CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sum) const
   {
     const std::uint32_t i = std::uint32_t(at);
-    if(direction[i] == no_normal || is_narrow[i] != 0)
+    if(direction[i] == no_normal || needed[i] == needed_levels)
       return;
-    // Neighbors on the line itself are near it, those on the next one at least half as far as the farthest.
+    // Neighbors on the line itself are near it, those on the next one at least a quarter as far as the farthest.
     double farthest = 0, nearest = 0;
-    for(const double bound : {0., .25})
+    for(const bool is_first : {true, false})
       for_each_squared_distance(i, [&](double d) {
-        if(bound == 0)
+        if(is_first)
           nearest = farthest = d > farthest ? d : farthest;
-        else if(d >= bound * farthest && d < nearest)
+        else if(16 * d >= farthest && d < nearest)
           nearest = d;
       });
     if(nearest > 0) {
@@ -303,15 +311,15 @@ class Scan_line_crossing {
 public:
   Scan_line_crossing(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
                      const Buffer<Range>& cells)
-    : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), is_narrow_(view_.size),
+    : backend_(backend), ranks_(ranks), cloud_(cloud), view_(cloud.view()), needed_(view_.size),
       direction_(cloud.size_with_ghosts()), is_first_of_cell_(filled_buffer(backend, view_.size, std::uint8_t(0)))
   {
     Buffer<std::uint32_t> before(direction_.size());
-    backend_.for_each(view_.size, Mark_lines{view_, is_narrow_.data(), direction_.data()});
+    backend_.for_each(view_.size, Mark_lines{view_, needed_.data(), direction_.data()});
     for(int pass = 0; pass < 2; ++pass) {
       ranks_.refresh(direction_.data(), Rings::inner);
       std::swap(before, direction_);
-      backend_.for_each(view_.size, Mark_corners{view_, before.data(), is_narrow_.data(), direction_.data()});
+      backend_.for_each(view_.size, Mark_corners{view_, before.data(), needed_.data(), direction_.data()});
     }
     backend_.for_each(cells.size(), Mark_first{cells.data(), is_first_of_cell_.data()});
   }
@@ -337,7 +345,7 @@ public:
   double spacing_steps() const
   {
     const auto own =
-      backend_.template sum<2>(view_.size, Sum_spacings{cloud_.view(), direction_.data(), is_narrow_.data()});
+      backend_.template sum<2>(view_.size, Sum_spacings{cloud_.view(), direction_.data(), needed_.data()});
     const std::vector<std::uint64_t> all =
       ranks_.total(std::vector<std::uint64_t>{std::uint64_t(own[0]), std::uint64_t(own[1])});
     return all[0] == 0 ? 0 : Sum_spacings::mean(std::int64_t(all[1]), std::int64_t(all[0]));
@@ -346,7 +354,7 @@ public:
 private:
   bool is_any_left() const
   {
-    return ranks_.total(std::size_t(backend_.template sum<1>(view_.size, Count_marked{is_narrow_.data()})[0])) > 0;
+    return ranks_.total(std::size_t(backend_.template sum<1>(view_.size, Count_in_need{needed_.data()})[0])) > 0;
   }
 
   void cross(const Buffer<std::uint32_t>& surfel, std::vector<std::uint64_t>& added)
@@ -365,7 +373,7 @@ private:
     const Thinned_view view = {thinned.view(), with_ghosts.data(), direction.data()};
     Buffer<std::uint8_t> is_wide(n);
     backend_.for_each(n, Mark_wide{view, is_wide.data()});
-    backend_.for_each(view_.size, Cross_lines{view_, view, is_wide.data(), is_narrow_.data(), cloud_.neighbor.data()});
+    backend_.for_each(view_.size, Cross_lines{view_, view, is_wide.data(), needed_.data(), cloud_.neighbor.data()});
   }
 
   // The places of the surfels of a thinned cloud, and of its ghosts. Ghosts that have none so far are added.
@@ -395,17 +403,20 @@ private:
   const Ranks<Backend>& ranks_;
   Sorted_cloud<Backend>& cloud_;
   Cloud_view view_;
-  Buffer<std::uint8_t> is_narrow_; // by surfel: its row is still a line
+  Buffer<std::uint8_t> needed_; // by surfel: thinned clouds
   Buffer<std::uint32_t> direction_;
   Buffer<std::uint8_t> is_first_of_cell_;
 };
 
-// Whether there are scan lines is decided for the whole cloud. The rows are complete; rings: as in Ranks::connect().
+// Whether there are scan lines is decided for the whole cloud; not with few neighbors, which are lines by chance. The rows
+// are complete; rings: as in Ranks::connect().
 template <class Backend>
 void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
                       const Buffer_of<Backend, Range>& cells, const Code_frame& frame, int rings)
 {
   const Cloud_view view = cloud.view();
+  if(view.k < tuning::scan_lines::minimum_neighbors)
+    return;
   const auto own = backend.template sum<2>(view.size / tuning::scan_lines::surfels_per_sampled + 1, Count_lines{view});
   const std::size_t sampled = ranks.total(std::size_t(own[0])), lines = ranks.total(std::size_t(own[1]));
   if(!tuning::scan_lines::of_cloud.is_exceeded(std::int64_t(lines), std::int64_t(sampled)))

@@ -60,6 +60,8 @@ constexpr int neighbors_per_line = 3;
 // There are scan lines where more than this ratio of the neighborhoods are lines: 0 to .02 on clouds with evenly spaced
 // points, .05 if they are few, .12 to .99 where points are on lines.
 constexpr Ratio of_cloud = {1, 12};
+// Nor are they looked for with fewer neighbors: more than that ratio are lines by chance.
+constexpr int minimum_neighbors = 8;
 // Surfels of which one is looked at.
 constexpr std::uint32_t surfels_per_sampled = 8;
 // A cloud is not thinned again if more than this ratio of its points would stay.
