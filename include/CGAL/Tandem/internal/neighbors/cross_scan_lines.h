@@ -18,6 +18,7 @@
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -389,10 +390,13 @@ private:
       std::vector<std::uint32_t> of_ghosts;
       for(const std::uint64_t ghost : to_vector(backend_, number.data() + n, ghosts)) {
         of_ghosts.push_back(ranks_.place_of(ghost));
-        if(of_ghosts.back() == no_index) {
-          of_ghosts.back() = std::uint32_t(cloud_.size_with_ghosts() + added.size());
+        if(of_ghosts.back() != no_index)
+          continue;
+        const auto next = std::uint32_t(cloud_.size_with_ghosts() + added.size());
+        const auto [known, is_new] = place_of_added_.emplace(ghost, next);
+        of_ghosts.back() = known->second;
+        if(is_new)
           added.push_back(ghost);
-        }
       }
       write_to(backend_, of_ghosts, place.data() + n);
     }
@@ -406,6 +410,7 @@ private:
   Buffer<std::uint8_t> needed_; // by surfel: thinned clouds
   Buffer<std::uint32_t> direction_;
   Buffer<std::uint8_t> is_first_of_cell_;
+  std::map<std::uint64_t, std::uint32_t> place_of_added_; // by number
 };
 
 // Whether there are scan lines is decided for the whole cloud; not with few neighbors, which are lines by chance. The rows
