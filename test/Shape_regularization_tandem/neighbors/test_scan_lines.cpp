@@ -210,10 +210,10 @@ BOOST_AUTO_TEST_CASE(street)
   }
 }
 
-// All points of the first and the last line of a face, and of its ends. Lines are evenly spaced, or not at all.
+// All points of the first and the last line of a face, and of its ends. Lines are evenly spaced, or nearly so.
 BOOST_AUTO_TEST_CASE(border)
 {
-  for(const double jitter : {0., .1, .2})
+  for(const double jitter : {0., .1})
     for(const std::size_t k : {12, 13, 30})
       for(const double epsilon : {0., .0075}) { // lines are 8 epsilons apart; or estimated
         scenes::Random random(8);

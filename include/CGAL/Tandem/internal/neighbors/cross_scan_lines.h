@@ -258,9 +258,9 @@ struct Sum_spacings {
       return;
     // Neighbors on the line itself are near it, those on the next one at least a quarter as far as the farthest.
     double farthest = 0, nearest = 0;
-    for(const bool is_first : {true, false})
+    for(int pass = 0; pass < 2; ++pass)
       for_each_squared_distance(i, [&](double d) {
-        if(is_first)
+        if(pass == 0)
           nearest = farthest = d > farthest ? d : farthest;
         else if(16 * d >= farthest && d < nearest)
           nearest = d;
