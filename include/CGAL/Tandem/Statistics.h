@@ -97,11 +97,11 @@ struct Statistics {
   double complexity = 0;
   Result_score score; ///< what the result is worth, in points; distances are measured on the grid
 
-  std::size_t number_of_rounds = 0;   ///< rounds of growth and regularization
-  Stage_times times;                  ///< seconds spent in each stage
-  std::size_t peak_bytes = 0;         ///< memory of all tables that have an entry for each point, when they are largest
-  double grid_step = 0;               ///< the width of a step of the grid, in units of the input
-  bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
+  std::size_t number_of_rounds = 0; ///< rounds of growth and regularization
+  Stage_times times;                ///< seconds spent in each stage
+  std::size_t peak_bytes = 0;       ///< memory of all tables that have an entry for each point, when they are largest
+  double grid_step = 0;             ///< the width of a step of the grid, in units of the input
+  bool is_grid_coarse = false;      ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
   /// from one scan line to the next, in units of the input: about the geometric mean over the points whose nearest
   /// neighbors are on a line; 0 if few of them are
   double line_spacing = 0;
