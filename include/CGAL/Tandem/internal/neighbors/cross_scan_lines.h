@@ -39,23 +39,6 @@ CGAL_TANDEM_HD inline bool is_line(const Neighborhood& h)
 // have a width by themselves.
 constexpr std::uint8_t needed_levels = 2;
 
-// Of the neighbors in a row: those from which normals are estimated.
-CGAL_TANDEM_HD inline int used_neighbors(int k)
-{
-  return k < tuning::normals::maximum_neighbors ? k : tuning::normals::maximum_neighbors;
-}
-
-// The neighborhood of surfel i and its row.
-CGAL_TANDEM_HD inline Neighborhood neighborhood_of_row(const Cloud_view& cloud, std::uint32_t i)
-{
-  Neighborhood_sum sum;
-  sum.add({0, 0, 0});
-  const std::uint32_t* const row = cloud.row(i);
-  for(int j = 0; j < used_neighbors(cloud.k) && row[j] != no_index; ++j)
-    sum.add(difference(cloud.point[row[j]], cloud.point[i]));
-  return sum.mean();
-}
-
 // Counts the lines among the rows of a sample, by position in the cloud of all ranks.
 struct Count_lines {
   Cloud_view cloud;
@@ -67,7 +50,7 @@ struct Count_lines {
     if(i >= cloud.size)
       return;
     ++sum[0];
-    sum[1] += is_line(neighborhood_of_row(cloud, i));
+    sum[1] += is_line(nearest_neighborhood(cloud, i, used_neighbors(cloud.k)));
   }
 };
 
@@ -99,7 +82,7 @@ struct Mark_lines {
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
-    const Neighborhood h = neighborhood_of_row(cloud, i);
+    const Neighborhood h = nearest_neighborhood(cloud, i, used_neighbors(cloud.k));
     needed[i] = is_line(h) ? needed_levels : 0;
     direction[i] = needed[i] > 0 ? line_direction(h) : no_normal;
   }

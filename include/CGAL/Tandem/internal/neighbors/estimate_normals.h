@@ -84,8 +84,8 @@ struct Finish {
   // direction of the normal of the face. So the rough plane is across the face, and the surfel does not fit it.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
-    const Neighborhood h =
-      about_surfel(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
+    const Neighborhood h = about_surfel(
+      nearest_neighborhood(w.cloud, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
     const Thickness t = thickness(h);
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
   }

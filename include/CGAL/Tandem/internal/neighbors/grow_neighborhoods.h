@@ -123,6 +123,24 @@ CGAL_TANDEM_HD inline Neighborhood about_surfel(const Neighborhood& h)
           to_float(h.zz + exact_product(m.z, m.z))};
 }
 
+// How many neighbors of a row of k count.
+CGAL_TANDEM_HD inline int used_neighbors(int k)
+{
+  return k < tuning::normals::maximum_neighbors ? k : tuning::normals::maximum_neighbors;
+}
+
+// The neighborhood of surfel i and its k nearest neighbors.
+CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Cloud_view& cloud, std::uint32_t i, int k)
+{
+  const Grid_point p = cloud.point[i];
+  const std::uint32_t* row = cloud.row(i);
+  Neighborhood_sum sum;
+  sum.add({0, 0, 0});
+  for(int j = 0; j < k && row[j] != no_index; ++j)
+    sum.add(difference(cloud.point[row[j]], p));
+  return sum.mean();
+}
+
 // The two lower eigenvalues of the covariance, in steps^2. They are the variance across the plane and the least one
 // along it. middle is 0 where there is no plane.
 struct Thickness {
@@ -266,22 +284,10 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   w.cloud = cloud;
   w.candidate = candidate;
   w.owner = cloud.point;
-  w.k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
+  w.k = used_neighbors(cloud.k);
   w.flat2 = exact_product(flat, flat);
   w.clutter2 = exact_product(clutter, clutter);
   return w;
-}
-
-// The neighborhood of surfel i and its k nearest neighbors.
-CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
-{
-  const Grid_point p = w.cloud.point[i];
-  const std::uint32_t* row = w.cloud.row(i);
-  Neighborhood_sum sum;
-  sum.add({0, 0, 0});
-  for(int j = 0; j < k && row[j] != no_index; ++j)
-    sum.add(difference(w.cloud.point[row[j]], p));
-  return sum.mean();
 }
 
 // The neighborhood of i joined with those of the farther half of its neighbors, which overlap with it less. Reads
@@ -341,7 +347,7 @@ struct Start {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_normal};
-    w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
+    w.current[i] = nearest_neighborhood(w.cloud, std::uint32_t(i), w.k);
     consider(w, std::uint32_t(i), w.current[i], effective_surfels(w.k, 1));
   }
 };
