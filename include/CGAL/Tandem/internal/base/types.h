@@ -236,6 +236,12 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
   return {u < 0 ? u + folded : u - folded, v < 0 ? v + folded : v - folded, w};
 }
 
+// Of directions: at most 2^30.
+CGAL_TANDEM_HD inline std::int64_t int_product(const Int_vector& u, const Int_vector& v)
+{
+  return std::int64_t(u.x) * v.x + std::int64_t(u.y) * v.y + std::int64_t(u.z) * v.z;
+}
+
 // nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding. The sign of the normal has no meaning.
 struct Plane {
   std::int32_t nx, ny, nz;
@@ -283,7 +289,7 @@ CGAL_TANDEM_HD inline Squared_cosine squared_cosine(const Plane& s, const Grid_p
   const Int_vector m = decode_normal(p.normal);
   const std::int64_t product = normal_product(s, m);
   const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31, so that its square fits
-  const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
+  const std::int64_t length2 = int_product(m, m);
   return {dot * dot, length2};
 }
 

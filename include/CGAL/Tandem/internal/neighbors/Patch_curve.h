@@ -40,7 +40,7 @@ inline std::uint64_t squared_grid_distance(const Grid_point& a, const Grid_point
 inline bool are_opposite(const Grid_point& a, const Grid_point& b)
 {
   const Int_vector m = decode_normal(a.normal), n = decode_normal(b.normal);
-  return std::int64_t(m.x) * n.x + std::int64_t(m.y) * n.y + std::int64_t(m.z) * n.z < 0;
+  return int_product(m, n) < 0;
 }
 
 // The plane of point i and its k nearest neighbors, of its row. Those that are close to another one are copies of it and

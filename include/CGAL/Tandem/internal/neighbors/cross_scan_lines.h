@@ -66,10 +66,7 @@ CGAL_TANDEM_HD inline std::uint32_t line_direction(const Neighborhood& h)
 CGAL_TANDEM_HD inline bool are_along(std::uint32_t a, std::uint32_t b)
 {
   const Int_vector u = decode_normal(a), v = decode_normal(b);
-  const auto product = [](const Int_vector& m, const Int_vector& n) {
-    return std::int64_t(m.x) * n.x + std::int64_t(m.y) * n.y + std::int64_t(m.z) * n.z;
-  };
-  return 2 * product(u, v) * product(u, v) > product(u, u) * product(v, v);
+  return 2 * int_product(u, v) * int_product(u, v) > int_product(u, u) * int_product(v, v);
 }
 
 // By surfel: how many thinned clouds it needs neighbors of, and the direction of its row if that is a line; no_normal for
@@ -265,7 +262,7 @@ private:
   CGAL_TANDEM_HD void for_each_squared_distance(std::uint32_t i, F f) const
   {
     const Int_vector d = decode_normal(direction[i]);
-    const double length2 = double(std::int64_t(d.x) * d.x + std::int64_t(d.y) * d.y + std::int64_t(d.z) * d.z);
+    const double length2 = double(int_product(d, d));
     const std::uint32_t* const row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const Float_vector v = difference(cloud.point[row[j]], cloud.point[i]);

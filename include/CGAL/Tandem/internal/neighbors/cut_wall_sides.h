@@ -17,17 +17,17 @@ namespace CGAL::Tandem::internal {
 class Wall_side {
 public:
   CGAL_TANDEM_HD explicit Wall_side(const Grid_point& p)
-    : point_(p), normal_(decode_normal(p.normal)), squared_length_(product(normal_, normal_))
+    : point_(p), normal_(decode_normal(p.normal)), squared_length_(int_product(normal_, normal_))
   {}
 
   // Of the normals: positive if they make less than a right angle.
-  CGAL_TANDEM_HD std::int64_t dot(const Grid_point& q) const { return product(normal_, decode_normal(q.normal)); }
+  CGAL_TANDEM_HD std::int64_t dot(const Grid_point& q) const { return int_product(normal_, decode_normal(q.normal)); }
 
   // Whether normals with this dot product make less than 45 degrees, or more than 135.
   CGAL_TANDEM_HD bool are_aligned(const Grid_point& q, std::int64_t dot) const
   {
     const Int_vector n = decode_normal(q.normal);
-    return 2 * dot * dot > squared_length_ * product(n, n);
+    return 2 * dot * dot > squared_length_ * int_product(n, n);
   }
 
   // Whether the neighbor is within a distance of the plane through the surfel with its normal.
@@ -40,11 +40,6 @@ public:
   }
 
 private:
-  CGAL_TANDEM_HD static std::int64_t product(const Int_vector& u, const Int_vector& v) // at most 2^30
-  {
-    return std::int64_t(u.x) * v.x + std::int64_t(u.y) * v.y + std::int64_t(u.z) * v.z;
-  }
-
   const Grid_point& point_;
   Int_vector normal_;
   std::int64_t squared_length_;
