@@ -261,7 +261,7 @@ struct Rank_backend : Backend {};
 //                              so many steps from neighbor to neighbor lead to points of other ranks, which are added. All
 //                              but those of the last step have rows
 //   ghosts(rings)              how many
-//   connect_again(cloud, rings, added)  the same after rows have changed. Their entries are places as before, and, beyond
+//   connect_again(cloud, added)  the same after rows have changed. Their entries are places as before, and, beyond
 //                              the ghosts, those of the points with the added numbers
 //   number(place)              of a point or ghost, the same on all ranks: rank << 32 | its place on its own rank
 //   place_of(number)           of the point or ghost with this number; no_index if it is neither
@@ -289,7 +289,7 @@ public:
   void connect(Cloud&, int)
   {}
   template <class Cloud>
-  void connect_again(Cloud&, int, const std::vector<std::uint64_t>&)
+  void connect_again(Cloud&, const std::vector<std::uint64_t>&)
   {}
   std::uint32_t place_of(std::uint64_t) const { return no_index; }
   template <class T>

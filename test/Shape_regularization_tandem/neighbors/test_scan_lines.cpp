@@ -69,7 +69,7 @@ private:
     cloud.neighbor = to_buffer(backend, before.neighbor);
     Ranks<Backend> ranks(backend);
     const auto cells = to_buffer(backend, before.cells);
-    cross_scan_lines(backend, ranks, cloud, cells, make_code_frame(before.point.data(), before.point.size()), 1);
+    cross_scan_lines(backend, ranks, cloud, cells, make_code_frame(before.point.data(), before.point.size()));
     after = to_vector(backend, cloud.neighbor);
     spacing = cloud.line_spacing_steps;
   }

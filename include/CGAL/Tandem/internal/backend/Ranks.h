@@ -105,7 +105,7 @@ public:
 
   // After rows have changed: entries beyond the ghosts are the surfels with these numbers.
   template <class Cloud>
-  void connect_again(Cloud&, int, const std::vector<std::uint64_t>&) const
+  void connect_again(Cloud&, const std::vector<std::uint64_t>&) const
   {}
 
   std::size_t ghosts(Rings) const { return 0; }

@@ -91,8 +91,8 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
             [&] { in.drop_upload(); }); // the values come back while a device searches
   if(join_surfels(backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
     find_rows(backend, points.ranks, points.cloud, rings);
-  cross_scan_lines(backend, points.ranks, points.cloud, points.cells, make_code_frame(in.low, in.high, in.surfel_cells),
-                   rings);
+  cross_scan_lines(backend, points.ranks, points.cloud, points.cells,
+                   make_code_frame(in.low, in.high, in.surfel_cells));
   if(in.has_normals)
     cut_wall_sides(backend, points.ranks, points.cloud, tight);
 }

@@ -70,7 +70,7 @@ public:
   }
 
   template <class Cloud>
-  void connect_again(Cloud& cloud, int rings, const std::vector<std::uint64_t>& added)
+  void connect_again(Cloud& cloud, const std::vector<std::uint64_t>& added)
   {
     const std::uint32_t n = std::uint32_t(cloud.number_of_surfels()), present = n + std::uint32_t(cloud.ghosts);
     std::vector<Remote_entry> remote;
@@ -81,7 +81,7 @@ public:
         if(const std::uint32_t place = rows.data()[e]; place >= n && place != no_index)
           remote.push_back({e, place < present ? ghosts_->point_at(place) : rank_point(added[place - present])});
     }
-    add_ghosts(cloud, rings, remote);
+    add_ghosts(cloud, int(ghosts_->rings()), remote);
   }
 
   std::size_t ghosts(Rings rings) const { return rings == Rings::all ? ghosts_->size() : ghosts_->ring_size(0); }

@@ -394,10 +394,10 @@ private:
 };
 
 // Whether there are scan lines is decided for the whole cloud; not with few neighbors, which are lines by chance. The rows
-// are complete; rings: as in Ranks::connect().
+// are complete.
 template <class Backend>
 void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
-                      const Buffer_of<Backend, Range>& cells, const Code_frame& frame, int rings)
+                      const Buffer_of<Backend, Range>& cells, const Code_frame& frame)
 {
   const Cloud_view view = cloud.view();
   if(view.k < tuning::scan_lines::minimum_neighbors)
@@ -407,7 +407,7 @@ void cross_scan_lines(Backend& backend, Ranks<Backend>& ranks, Sorted_cloud<Back
   if(!tuning::scan_lines::of_cloud.is_exceeded(std::int64_t(lines), std::int64_t(sampled)))
     return;
   Scan_line_crossing<Backend> crossing(backend, ranks, cloud, cells);
-  ranks.connect_again(cloud, rings, crossing(frame));
+  ranks.connect_again(cloud, crossing(frame));
   cloud.line_spacing_steps = crossing.spacing_steps();
 }
 
