@@ -3,10 +3,13 @@
 //
 // Points on scan lines that are 30 times farther apart than they are: neighbors are on other lines of the surface, also at
 // its border, where lines turn, and where noise gives lines a width. All other rows stay. Shapes are whole faces, and
-// cables, poles and wires take no part of them.
+// cables, poles and wires take no part of them. The estimate of the tolerance does not depend on the gaps.
 
 #include "testing/body_fixture.h"
 
+#include "scenes/labeled_scenes.h"
+
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Tandem/internal/neighbors/cross_scan_lines.h>
 
 #include <map>
@@ -211,6 +214,22 @@ BOOST_AUTO_TEST_CASE(street)
 }
 
 // All points of the first and the last line of a face, and of its ends. Lines are evenly spaced, or nearly so.
+// The estimate does not take the gaps between lines for noise.
+BOOST_AUTO_TEST_CASE(estimate)
+{
+  int found = 0;
+  for(const scenes::Labeled_scene& scene : scenes::labeled_scan_lines())
+    if(scene.name.rfind("lidar-street-16-level", 0) == 0) {
+      std::vector<Epick::Point_3> points;
+      for(const scenes::Vec& p : scene.make().points)
+        points.emplace_back(p.x, p.y, p.z);
+      const double estimate = CGAL::Tandem::estimate_parameters(points).maximum_distance;
+      CHECK_AT(estimate > .5 * scene.epsilon && estimate < 2 * scene.epsilon, std::to_string(estimate));
+      ++found;
+    }
+  CHECK(found == 1);
+}
+
 BOOST_AUTO_TEST_CASE(border)
 {
   for(const double jitter : {0., .1})
