@@ -6,10 +6,10 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 
+#include <CGAL/Shape_regularization_tandem/models/outlines/Point_blocks.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +40,15 @@ struct Cells {
 
   const Facet& facet(int f) const { return facets[std::size_t(f)]; }
   const std::vector<int>& facets_of(int cell) const { return cells[std::size_t(cell)]; }
+
+  std::vector<std::vector<std::size_t>> facets_of_planes(std::size_t number_of_planes) const
+  {
+    std::vector<std::vector<std::size_t>> result(number_of_planes);
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      if(facets[f].plane != none)
+        result[std::size_t(facets[f].plane)].push_back(f);
+    return result;
+  }
 
   std::vector<Point> corners(const Facet& facet) const
   {
@@ -79,12 +88,12 @@ void for_each_edge(const std::vector<int>& loop, Function f)
     f(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
 }
 
-// --- Cuts, each of which goes through one cell only. Nothing is rounded: a vertex is the point of three planes, with
-// rational coordinates.
+// --- Cuts, each of which goes through one cell only. A vertex within the resolution of a plane is a vertex of the cut: so
+// planes that nearly meet in a point have a vertex there, no cell is thinner, and no edge is shorter.
 
 class Cell_cutter {
 public:
-  explicit Cell_cutter(const CGAL::Bbox_3& box)
+  Cell_cutter(const CGAL::Bbox_3& box, double resolution) : resolution_(resolution), boxes_(1, box)
   {
     for(int axis = 0; axis < 3; ++axis)
       for(const bool is_upper : {false, true}) {
@@ -93,7 +102,8 @@ public:
         planes_.push_back(c);
       }
     for(int corner = 0; corner < 8; ++corner)
-      add_vertex({corner & 1, 2 + (corner >> 1 & 1), 4 + (corner >> 2)});
+      add_vertex(Point((corner & 1) == 0 ? box.xmin() : box.xmax(), (corner & 2) == 0 ? box.ymin() : box.ymax(),
+                       (corner & 4) == 0 ? box.zmin() : box.zmax()));
     cells_.cells.resize(1);
     for(int axis = 0; axis < 3; ++axis)
       for(int end = 0; end < 2; ++end) {
@@ -113,7 +123,9 @@ public:
 
   std::size_t number_of_cells() const { return cells_.cells.size(); }
 
-  // Where a plane cuts the edges of a cell, in no order. Rounded.
+  const CGAL::Bbox_3& box(int cell) const { return boxes_[std::size_t(cell)]; }
+
+  // Where a plane cuts the edges of a cell, in no order.
   std::vector<Point> section(int cell, int plane) const
   {
     const Coefficients& c = planes_[std::size_t(plane + faces_of_box)];
@@ -129,27 +141,20 @@ public:
   }
 
   // The cell becomes its part where the plane is negative, the other part is a cell of its own. Nothing happens if the
-  // plane does not cut the cell.
+  // plane does not cut the cell, or where it does is no single line, as vertices are not exactly in their planes.
   void split(int cell, int plane)
   {
     plane += faces_of_box;
-    oriented_sides_.clear();
-    int least = 0, most = 0;
     for(int f : cells_.facets_of(cell))
-      for(int v : cells_.facet(f).vertices) {
-        const auto added = oriented_sides_.emplace(v, 0);
-        if(added.second)
-          added.first->second = oriented_side(v, plane);
-        least = (std::min)(least, added.first->second);
-        most = (std::max)(most, added.first->second);
-      }
-    if(least == 0 || most == 0)
+      for(int v : cells_.facet(f).vertices)
+        side_[std::size_t(v)] = side_of(v, plane);
+    if(!has_single_cut(cell))
       return;
     split_edges(cell, plane);
     const std::vector<int> whole = cells_.facets_of(cell);
     for(int f : whole)
       if(has_side(f, -1) && has_side(f, 1))
-        split_facet(f, plane);
+        split_facet(f);
     separate(cell, plane);
   }
 
@@ -162,67 +167,82 @@ public:
   }
 
 private:
-  using Number = CGAL::Exact_rational;
-  using Exact_point = std::array<Number, 3>;
-  struct Planes_and_facets { // of an edge
-    std::array<int, 2> planes;
-    std::vector<int> facets;
-  };
   static constexpr int faces_of_box = 6; // their planes come first
 
-  void add_vertex(const std::array<int, 3>& of_planes)
+  void add_vertex(const Point& p)
   {
-    std::array<std::array<Number, 4>, 3> rows;
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t k = 0; k < 4; ++k)
-        rows[i][k] = Number(planes_[std::size_t(of_planes[i])][k]);
-    const auto determinant = [&](std::size_t a, std::size_t b, std::size_t c) {
-      return CGAL::determinant(rows[0][a], rows[0][b], rows[0][c], rows[1][a], rows[1][b], rows[1][c], rows[2][a],
-                               rows[2][b], rows[2][c]);
-    };
-    const Number d = determinant(0, 1, 2);
-    exact_.push_back({-determinant(3, 1, 2) / d, -determinant(0, 3, 2) / d, -determinant(0, 1, 3) / d});
-    const Exact_point& p = exact_.back();
-    cells_.points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+    cells_.points.push_back(p);
+    side_.push_back(0);
   }
 
-  // Of a vertex: -1, 0 or 1. Rational numbers decide where the rounded ones cannot.
-  int oriented_side(int vertex, int plane) const
+  // Of a vertex: -1, 0 or 1.
+  signed char side_of(int vertex, int plane) const
   {
-    constexpr double rounding = 1e-14; // of the sum, by its terms: more than a dozen of roundings
-    const Point& p = cells_.points[std::size_t(vertex)];
-    const Coefficients& c = planes_[std::size_t(plane)];
-    double sum = 0, size = 0;
-    for(const double term : {c[0] * p.x(), c[1] * p.y(), c[2] * p.z(), c[3]}) {
-      sum += term;
-      size += std::fabs(term);
+    const double h = height(planes_[std::size_t(plane)], cells_.points[std::size_t(vertex)]);
+    return h > resolution_ ? 1 : h < -resolution_ ? -1 : 0;
+  }
+
+  int side(int vertex) const { return side_[std::size_t(vertex)]; }
+
+  // Whether one closed line separates the sides. Its corners are vertices, or edges with an end on each side.
+  bool has_single_cut(int cell) const
+  {
+    std::map<Edge, Edge> next;
+    bool is_single = true;
+    const auto add = [&](const Edge& first, const Edge& last) {
+      is_single = next.emplace(first, last).second && is_single;
+    };
+    const auto corner = [&](int u, int v) { return side(u) == 0 ? Edge(u, u) : edge_of(u, v); }; // v is positive
+    for(int f : cells_.facets_of(cell)) {
+      const std::vector<int>& loop = cells_.facet(f).vertices;
+      const std::size_t n = loop.size();
+      const bool is_behind = cells_.facet(f).behind == cell;
+      const auto connect = [&](const Edge& first, const Edge& last) {
+        is_behind ? add(last, first) : add(first, last);
+      };
+      if(!has_side(f, 1))
+        continue;
+      const bool is_cut = has_side(f, -1);
+      int runs = 0, negative_runs = 0;
+      Edge start, end;
+      for(std::size_t i = 0; i < n; ++i) {
+        const int u = loop[i], v = loop[(i + 1) % n];
+        if(side(u) <= 0 && side(v) > 0) {
+          start = corner(u, v);
+          ++runs;
+        }
+        if(side(u) > 0 && side(v) <= 0)
+          end = corner(v, u);
+        negative_runs += side(u) >= 0 && side(v) < 0;
+        if(!is_cut && side(u) == 0 && side(v) == 0)
+          connect(corner(u, v), corner(v, u));
+      }
+      if(is_cut)
+        connect(end, start);
+      if(runs > 1 || negative_runs > 1)
+        return false;
     }
-    if(std::fabs(sum) > rounding * size)
-      return sum < 0 ? -1 : 1;
-    Number exact(c[3]);
-    for(std::size_t k = 0; k < 3; ++k)
-      exact += Number(c[k]) * exact_[std::size_t(vertex)][k];
-    return int(CGAL::sign(exact));
+    if(!is_single || next.size() < 3)
+      return false;
+    std::size_t length = 1;
+    for(auto at = next.find(next.begin()->second); at != next.begin(); at = next.find(at->second), ++length)
+      if(at == next.end() || length > next.size())
+        return false;
+    return length == next.size() && std::any_of(cells_.facets_of(cell).begin(), cells_.facets_of(cell).end(),
+                                                [&](int f) { return has_side(f, -1); });
   }
 
   bool has_side(int facet, int s) const
   {
     const std::vector<int>& loop = cells_.facet(facet).vertices;
-    return std::any_of(loop.begin(), loop.end(), [&](int v) { return oriented_sides_.at(v) == s; });
+    return std::any_of(loop.begin(), loop.end(), [&](int v) { return side(v) == s; });
   }
 
   void add_facet(const Facet& facet)
   {
     const int f = int(cells_.facets.size());
     cells_.facets.push_back(facet);
-    for_each_edge(facet.vertices, [&](int u, int v) {
-      Planes_and_facets& e = edges_[edge_of(u, v)];
-      if(e.facets.empty())
-        e.planes[0] = facet.plane;
-      else if(e.planes[0] != facet.plane)
-        e.planes[1] = facet.plane;
-      e.facets.push_back(f);
-    });
+    for_each_edge(facet.vertices, [&](int u, int v) { facets_of_edge_[edge_of(u, v)].push_back(f); });
     for(int c : {facet.behind, facet.front})
       if(c != none)
         cells_.cells[std::size_t(c)].push_back(f);
@@ -233,42 +253,44 @@ private:
     for(int f : cells_.facets_of(cell)) {
       const std::vector<int> loop = cells_.facet(f).vertices;
       for_each_edge(loop, [&](int u, int v) {
-        if(oriented_sides_.at(u) * oriented_sides_.at(v) < 0)
-          split_edge(u, v, plane);
+        if(side(u) * side(v) < 0)
+          split_edge(edge_of(u, v), planes_[std::size_t(plane)]);
       });
     }
   }
 
   // All facets at the edge have a vertex more.
-  void split_edge(int u, int v, int plane)
+  void split_edge(const Edge& edge, const Coefficients& plane)
   {
-    const auto at = edges_.find(edge_of(u, v));
-    const Planes_and_facets edge = at->second;
-    edges_.erase(at);
+    const auto at = facets_of_edge_.find(edge);
+    const std::vector<int> facets = std::move(at->second);
+    facets_of_edge_.erase(at);
+    const auto [u, v] = edge;
     const int w = int(cells_.points.size());
-    add_vertex({edge.planes[0], edge.planes[1], plane});
-    oriented_sides_[w] = 0;
-    edges_[edge_of(u, w)] = edges_[edge_of(v, w)] = edge;
-    for(int f : edge.facets) {
+    const Point &p = cells_.points[std::size_t(u)], &q = cells_.points[std::size_t(v)];
+    const double a = height(plane, p), b = height(plane, q);
+    add_vertex(p + a / (a - b) * (q - p));
+    facets_of_edge_[edge_of(u, w)] = facets_of_edge_[edge_of(v, w)] = facets;
+    for(int f : facets) {
       std::vector<int>& loop = cells_.facets[std::size_t(f)].vertices;
       std::size_t i = 0;
-      while(edge_of(loop[i], loop[(i + 1) % loop.size()]) != edge_of(u, v))
+      while(edge_of(loop[i], loop[(i + 1) % loop.size()]) != edge)
         ++i;
       loop.insert(loop.begin() + std::ptrdiff_t(i) + 1, w);
     }
   }
 
   // The part on the positive side becomes a facet of its own.
-  void split_facet(int f, int plane)
+  void split_facet(int f)
   {
     const Facet whole = cells_.facet(f);
     const std::vector<int>& loop = whole.vertices;
     const std::size_t n = loop.size();
     std::size_t start = 0; // where the positive side begins
-    while(oriented_sides_.at(loop[start]) != 0 || oriented_sides_.at(loop[(start + 1) % n]) <= 0)
+    while(side(loop[start]) != 0 || side(loop[(start + 1) % n]) <= 0)
       ++start;
     std::size_t end = 1; // and where it ends, from there on
-    while(oriented_sides_.at(loop[(start + end) % n]) > 0)
+    while(side(loop[(start + end) % n]) > 0)
       ++end;
     Facet positive = {{}, whole.plane, whole.behind, whole.front};
     std::vector<int> negative;
@@ -279,11 +301,11 @@ private:
         negative.push_back(loop[(start + i) % n]);
     }
     for(std::size_t i = 0; i < end; ++i) {
-      std::vector<int>& facets = edges_[edge_of(positive.vertices[i], positive.vertices[i + 1])].facets;
+      std::vector<int>& facets = facets_of_edge_[edge_of(positive.vertices[i], positive.vertices[i + 1])];
       facets.erase(std::find(facets.begin(), facets.end(), f));
     }
     cells_.facets[std::size_t(f)].vertices = negative;
-    edges_[edge_of(negative.front(), negative.back())] = {{whole.plane, plane}, {f}};
+    facets_of_edge_[edge_of(negative.front(), negative.back())] = {f};
     add_facet(positive);
   }
 
@@ -304,7 +326,7 @@ private:
       const bool is_behind = facet.behind == cell;
       (is_behind ? facet.behind : facet.front) = other;
       for_each_edge(facet.vertices, [&](int u, int v) {
-        if(oriented_sides_.at(u) == 0 && oriented_sides_.at(v) == 0)
+        if(side(u) == 0 && side(v) == 0)
           next[is_behind ? v : u] = is_behind ? u : v;
       });
     }
@@ -312,25 +334,41 @@ private:
     for(int v = next.at(loop.front()); v != loop.front(); v = next.at(v))
       loop.push_back(v);
     add_facet({loop, plane, other, cell});
+    boxes_.resize(cells_.cells.size());
+    for(int c : {cell, other})
+      measure(c);
   }
 
+  void measure(int cell)
+  {
+    CGAL::Bbox_3& box = boxes_[std::size_t(cell)];
+    box = CGAL::Bbox_3();
+    for(int f : cells_.facets_of(cell))
+      for(int v : cells_.facet(f).vertices)
+        box += cells_.points[std::size_t(v)].bbox();
+  }
+
+  double resolution_;
   std::vector<Coefficients> planes_;
   Cells cells_; // with the numbers of these planes
-  std::vector<Exact_point> exact_;
-  std::map<Edge, Planes_and_facets> edges_;
-  std::map<int, int> oriented_sides_; // of the vertices of the cell that is split
+  std::map<Edge, std::vector<int>> facets_of_edge_;
+  std::vector<CGAL::Bbox_3> boxes_; // of the cells
+  std::vector<signed char> side_;   // of the vertices of the cell that is split
 };
 
 // --- The cells of a box that planes cut: each plane cuts those that the hull of its points meets or is close to. So their
 // number grows about linearly with that of the planes, and gaps between shapes are bridged.
 
-inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
+inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box, double resolution)
 {
   const double reach = .05 * extent_of(box); // of the planes beyond their points
-  Cell_cutter cutter(box);
+  Cell_cutter cutter(box, resolution);
   for(const Plane_coverage& plane : planes) {
     const int number = cutter.add_plane(plane.plane());
+    const CGAL::Bbox_3 near = outlines::grown(plane.box(), reach);
     for(int c = int(cutter.number_of_cells()) - 1; c >= 0; --c) {
+      if(!CGAL::do_overlap(near, cutter.box(c)))
+        continue;
       std::vector<Kernel::Point_2> corners, section;
       for(const Point& p : cutter.section(c, number))
         corners.push_back(plane.flat(p));

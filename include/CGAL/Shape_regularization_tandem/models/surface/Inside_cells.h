@@ -9,10 +9,14 @@
 
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Ray_votes.h>
 
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -23,11 +27,11 @@
 
 namespace CGAL::Tandem::internal::surface {
 
-// --- How much of each facet points cover, or walls without points are assumed to, with places there
+// --- How much of each facet points cover, or walls without points are assumed to
 
 struct Covered_part {
   double area = 0;
-  std::vector<Point> places;
+  std::vector<Point> places; // spread evenly over it
 };
 
 struct Covered_facet {
@@ -35,74 +39,87 @@ struct Covered_facet {
   Covered_part scanned, assumed;
 };
 
-// Of places that are spread evenly over the facet.
-inline void add_assumed(const Plane_coverage& plane, const std::vector<Point>& corners, Covered_facet& facet)
+// The part of a facet in these polygons of its plane.
+inline Covered_part covered_part(const Plane_coverage& plane, const Flat_polygon& facet,
+                                 const std::vector<const Flat_polygon*>& polygons)
 {
-  constexpr std::size_t places_to_try = 256; // about so many
-  std::vector<double> areas(2, 0.);          // of the triangles that end at each corner
-  for(std::size_t i = 2; i < corners.size(); ++i)
-    areas.push_back(area_of({corners[0], corners[i - 1], corners[i]}));
-  const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
-  if(!(sum > 0))
-    return;
-  std::size_t tried = 0;
-  double left = 0; // of a place, from the triangles before
-  for(std::size_t i = 2; i < corners.size(); ++i) {
-    const Vector u = corners[i - 1] - corners[0], v = corners[i] - corners[0];
-    for(left += areas[i] / sum * double(places_to_try); left >= 1; --left, ++tried) {
-      double a = double(tried) * .7548776662466927, b = double(tried) * .5698402909980532; // a sequence of no pattern
-      a -= std::floor(a);
-      b -= std::floor(b);
-      const Point p = a + b > 1 ? corners[0] + (1 - a) * u + (1 - b) * v : corners[0] + a * u + b * v;
-      if(plane.is_assumed(p))
-        facet.assumed.places.push_back(p);
+  constexpr double number_of_places = 64; // about so many
+  Covered_part result;
+  std::vector<std::array<Kernel::Point_2, 3>> triangles;
+  std::vector<double> areas;
+  for(const Flat_polygon* polygon : polygons) {
+    const Flat_polygon part = common_part(*polygon, facet);
+    for(std::size_t i = 2; i < part.size(); ++i) {
+      triangles.push_back({part[0], part[i - 1], part[i]});
+      areas.push_back((std::max)(0., CGAL::area(part[0], part[i - 1], part[i]))); // by rounding, it may be negative
+      result.area += areas.back();
     }
   }
-  if(tried > 0)
-    facet.assumed.area =
-      (std::min)(facet.area - facet.scanned.area, double(facet.assumed.places.size()) / double(tried) * facet.area);
+  if(!(result.area > 0))
+    return Covered_part();
+  double left = .5; // of a place, from the triangles before
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    for(left += areas[i] / result.area * number_of_places; left >= 1; --left, ++count) {
+      double a = double(count) * .7548776662466927, b = double(count) * .5698402909980532; // a sequence of no pattern
+      a -= std::floor(a);
+      b -= std::floor(b);
+      if(a + b > 1) {
+        a = 1 - a;
+        b = 1 - b;
+      }
+      result.places.push_back(plane.lifted(t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0])));
+    }
+  }
+  return result;
 }
 
 // `of_plane` are the facets in the plane.
 inline void cover(const Cells& cells, const Plane_coverage& plane, const std::vector<std::size_t>& of_plane,
                   std::vector<Covered_facet>& facets)
 {
-  std::vector<std::vector<Kernel::Point_2>> flat;
-  std::vector<CGAL::Bbox_2> boxes;
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
+  const auto box_of = [](const Flat_polygon& p, std::size_t i) { return Box(CGAL::bbox_2(p.begin(), p.end()), i); };
+  std::vector<Flat_polygon> flat;
+  std::vector<Box> boxes;
   for(std::size_t f : of_plane) {
-    flat.emplace_back();
-    for(const Point& corner : cells.corners(cells.facets[f]))
-      flat.back().push_back(plane.flat(corner));
-    boxes.push_back(CGAL::bbox_2(flat.back().begin(), flat.back().end()));
+    flat.push_back(plane.flat(cells.corners(cells.facets[f])));
+    boxes.push_back(box_of(flat.back(), boxes.size()));
   }
-  for(std::size_t n = 0; n < plane.points().size(); ++n) {
-    const Point& point = plane.points()[n];
-    const Kernel::Point_2 p = plane.flat(point);
-    for(std::size_t i = 0; i < of_plane.size(); ++i)
-      if(CGAL::do_overlap(boxes[i], p.bbox()) &&
-         CGAL::bounded_side_2(flat[i].begin(), flat[i].end(), p) != CGAL::ON_UNBOUNDED_SIDE) {
-        Covered_part& scanned = facets[of_plane[i]].scanned;
-        scanned.area += plane.area_of_point(n);
-        scanned.places.push_back(point);
-        break;
-      }
-  }
+  const auto add = [&](const std::vector<Plane_coverage::Corners>& parts, Covered_part Covered_facet::*part) {
+    std::vector<Flat_polygon> flat_parts;
+    std::vector<Box> part_boxes;
+    for(const auto& corners : parts) {
+      flat_parts.push_back(plane.flat(corners));
+      part_boxes.push_back(box_of(flat_parts.back(), part_boxes.size()));
+    }
+    std::vector<std::vector<std::size_t>> near(of_plane.size());
+    CGAL::box_intersection_d(boxes.begin(), boxes.end(), part_boxes.begin(), part_boxes.end(),
+                             [&](const Box& a, const Box& b) { near[a.info()].push_back(b.info()); });
+    for(std::size_t i = 0; i < of_plane.size(); ++i) {
+      std::sort(near[i].begin(), near[i].end());
+      std::vector<const Flat_polygon*> polygons;
+      for(std::size_t j : near[i])
+        polygons.push_back(&flat_parts[j]);
+      facets[of_plane[i]].*part = covered_part(plane, flat[i], polygons);
+    }
+  };
+  add(plane.covered(), &Covered_facet::scanned);
+  add(plane.assumed(), &Covered_facet::assumed);
   for(std::size_t f : of_plane) {
-    facets[f].scanned.area = (std::min)(facets[f].scanned.area, facets[f].area);
-    if(plane.has_assumed_part())
-      add_assumed(plane, cells.corners(cells.facets[f]), facets[f]);
+    Covered_facet& facet = facets[f];
+    facet.scanned.area = (std::min)(facet.scanned.area, facet.area);
+    facet.assumed.area = (std::min)(facet.assumed.area, facet.area - facet.scanned.area);
   }
 }
 
 inline std::vector<Covered_facet> cover_facets(const Cells& cells, const std::vector<Plane_coverage>& planes)
 {
   std::vector<Covered_facet> facets;
-  std::vector<std::vector<std::size_t>> of_plane(planes.size());
-  for(std::size_t f = 0; f < cells.facets.size(); ++f) {
-    facets.push_back({area_of(cells.corners(cells.facets[f])), {}, {}});
-    if(cells.facets[f].plane != none)
-      of_plane[std::size_t(cells.facets[f].plane)].push_back(f);
-  }
+  for(const Facet& facet : cells.facets)
+    facets.push_back({area_of(cells.corners(facet)), {}, {}});
+  const std::vector<std::vector<std::size_t>> of_plane = cells.facets_of_planes(planes.size());
   for_each_in_parallel(planes.size(), [&](std::size_t p) { cover(cells, planes[p], of_plane[p], facets); });
   return facets;
 }
@@ -113,27 +130,24 @@ inline std::vector<Covered_facet> cover_facets(const Cells& cells, const std::ve
 
 class Inside_cost {
 public:
-  std::vector<double> inside, outside;       // of each cell that is inside, or is not
-  std::vector<double> boundary;              // of each facet between a cell that is inside and one that is not
-  std::vector<std::size_t> number_of_points; // on each facet
+  std::vector<double> inside, outside; // of each cell that is inside, or is not
+  std::vector<double> boundary;        // of each facet between a cell that is inside and one that is not
 
   Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
     : inside(cells.cells.size(), 0), outside(cells.cells.size(), 0)
   {
     const std::vector<Covered_facet> covered = cover_facets(cells, planes);
-    Ray_votes rays(up);
-    rays.add_obstacles(planes);
+    const Ray_votes rays(planes, up);
     std::vector<double> votes(cells.facets.size());
     for_each_in_parallel(votes.size(), [&](std::size_t f) {
       const Facet& facet = cells.facets[f];
       if(facet.plane != none)
-        votes[f] = vote(covered[f], normal_of(cells.corners(facet)), planes[std::size_t(facet.plane)], rays);
+        votes[f] = vote(covered[f], normal_of(cells.corners(facet)), std::size_t(facet.plane), rays);
     });
     for(std::size_t f = 0; f < cells.facets.size(); ++f) {
       const Facet& facet = cells.facets[f];
       const double free = covered[f].area - covered[f].scanned.area - covered[f].assumed.area;
       boundary.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
-      number_of_points.push_back(covered[f].scanned.places.size());
       if(facet.front == none)
         continue;
       const bool is_behind = votes[f] > 0;
@@ -143,12 +157,11 @@ public:
   }
 
 private:
-  static constexpr double worth_of_free = .1; // of a unit of area without points
+  static constexpr double worth_of_free = .025; // of a unit of area without points
 
   // The area by which the cell behind a facet is inside and the one in front of it outside; negative if it is the other
   // way round.
-  static double vote(const Covered_facet& covered, const Vector& to_front, const Plane_coverage& plane,
-                     const Ray_votes& rays)
+  static double vote(const Covered_facet& covered, const Vector& to_front, std::size_t plane, const Ray_votes& rays)
   {
     const auto of = [&](const Covered_part& part) {
       const double balance = rays.balance(part.places, to_front, plane);

@@ -45,28 +45,29 @@ public:
     std::stable_sort(borders.begin(), borders.end(),
                      [](const Border& a, const Border& b) { return a.length > b.length; });
     borders.resize((std::min)(borders.size(), most_borders));
-    std::vector<Plane_coverage> walls;
+    std::vector<Plane_coverage> with_walls = planes_;
     for(const Border& border : borders) {
-      walls.push_back(plane_of(border));
-      walls.back().reach(border.wall);
-      walls.back().assume(border.wall);
+      with_walls.push_back(plane_of(border));
+      with_walls.back().assume(border.wall);
     }
-    Ray_votes rays(up_);
-    rays.add_obstacles(planes_);
-    rays.add_obstacles(walls);
-    std::vector<double> ratios(walls.size());
-    for_each_in_parallel(walls.size(), [&](std::size_t w) { ratios[w] = ratio_of_rays(borders[w], rays, walls[w]); });
+    const Ray_votes rays(with_walls, up_);
+    std::vector<double> ratios(borders.size());
+    for_each_in_parallel(borders.size(), [&](std::size_t w) {
+      const std::size_t plane = planes_.size() + w;
+      ratios[w] = std::fabs(rays.balance(places_on(borders[w]), with_walls[plane].normal(), plane));
+    });
     const std::size_t most = planes_.size() + most_planes;
-    for(std::size_t w = 0; w < walls.size(); ++w)
-      add_wall(borders[w], ratios[w] > least_ratio, most);
+    for(std::size_t w = 0; w < borders.size(); ++w)
+      if(ratios[w] > least_ratio)
+        add_wall(borders[w], most);
   }
 
 private:
   struct Border {
     Point first, last;
-    double drop;                     // to the plane below
-    double length;                   // seen from above
-    Plane_coverage::Quadrangle wall; // below it
+    double drop;                  // to the plane below
+    double length;                // seen from above
+    Plane_coverage::Corners wall; // below it
   };
 
   bool is_upright(const Coefficients& c) const
@@ -90,10 +91,12 @@ private:
         border.length = std::sqrt(outward.squared_length());
         if(border.length < shortest_wall * near_ || ends_at_other(own, border))
           continue;
-        border.drop = drop_at(CGAL::midpoint(border.first, border.last) + near_ / border.length * outward);
+        const Point middle = CGAL::midpoint(border.first, border.last);
+        const Plane_coverage* const below = plane_below(middle + near_ / border.length * outward, border.drop);
+        if(below == nullptr || is_seen_behind(border, *below, -1 / border.length * outward))
+          continue;
         border.wall = {border.first, border.last, border.last - border.drop * up_, border.first - border.drop * up_};
-        if(border.drop > 0)
-          borders.push_back(border);
+        borders.push_back(border);
       }
     };
     add(polygon.outer);
@@ -109,19 +112,34 @@ private:
     });
   }
 
-  // To the lowest plane that is below a point; 0 if there is none.
-  double drop_at(const Point& p) const
+  // The lowest plane that is below a point, and how far.
+  const Plane_coverage* plane_below(const Point& p, double& drop) const
   {
-    double result = 0;
-    for(const Plane_coverage& plane : planes_) {
-      const Coefficients& c = plane.plane();
-      if(is_upright(c))
-        continue;
-      const double drop = height(c, p) / (Vector(c[0], c[1], c[2]) * up_);
-      if(drop > near_ && drop > result && plane.is_in_hull(p - drop * up_))
-        result = drop;
-    }
+    const Plane_coverage* result = nullptr;
+    for(const Plane_coverage& plane : planes_)
+      if(const double d = is_upright(plane.plane()) ? 0 : drop_to(plane, p);
+         d > near_ && (result == nullptr || d > drop) && plane.is_near_hull(p - d * up_, 0)) {
+        result = &plane;
+        drop = d;
+      }
     return result;
+  }
+
+  double drop_to(const Plane_coverage& plane, const Point& p) const { return plane.height(p) / (plane.normal() * up_); }
+
+  // Whether more than a quarter of the plane below is covered behind the wall: what saw it would have seen the wall.
+  bool is_seen_behind(const Border& border, const Plane_coverage& below, const Vector& inward) const
+  {
+    constexpr int rows = 4;
+    const double depth = (std::min)(border.drop, border.length) / 2;
+    int seen = 0;
+    for(int i = 0; i < rows; ++i)
+      for(int j = 0; j < rows; ++j) {
+        const Point p =
+          border.first + (i + .5) / rows * (border.last - border.first) + (j + .5) / rows * depth * inward;
+        seen += below.is_covered(p - drop_to(below, p) * up_);
+      }
+    return 4 * seen > rows * rows;
   }
 
   Plane_coverage plane_of(const Border& border) const
@@ -131,8 +149,8 @@ private:
     return Plane_coverage({normal.x(), normal.y(), normal.z(), offset});
   }
 
-  // That say that it is between inside and outside.
-  double ratio_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
+  // On the wall.
+  std::vector<Point> places_on(const Border& border) const
   {
     constexpr int rows = 16;
     std::vector<Point> places;
@@ -140,11 +158,11 @@ private:
       for(int j = 0; j < rows; ++j)
         places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
                          (j + .5) / rows * border.drop * up_);
-    return std::fabs(rays.balance(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
+    return places;
   }
 
-  // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
-  void add_wall(const Border& border, bool is_assumed, std::size_t most)
+  // In a plane that is there, or in a new one.
+  void add_wall(const Border& border, std::size_t most)
   {
     auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
       return is_upright(p.plane()) && std::all_of(border.wall.begin(), border.wall.end(),
@@ -156,8 +174,7 @@ private:
       plane = planes_.insert(planes_.end(), plane_of(border));
     }
     plane->reach(border.wall);
-    if(is_assumed)
-      plane->assume(border.wall);
+    plane->assume(border.wall);
   }
 
   static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
@@ -199,7 +216,7 @@ struct Surface_input {
     for(std::size_t g : order) {
       if(planes.size() == most || of_group[g].empty())
         break;
-      Plane_coverage plane(unit.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]), maximum_distance);
+      Plane_coverage plane(unit.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]));
       if(!plane.has_area())
         continue;
       for(const Point& p : plane.points())
@@ -210,8 +227,8 @@ struct Surface_input {
     box = outlines::grown(box, 2 * maximum_distance);
   }
 
-  // Below the borders of these outlines of the shapes.
-  void add_walls(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up)
+  // These outlines of the shapes, and walls below their borders.
+  void add_outlines(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up)
   {
     for(Position& p : polygons.points)
       for(double& x : p)
@@ -219,6 +236,16 @@ struct Surface_input {
     std::vector<Coefficients> of_shapes;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       of_shapes.push_back(unit.in(shapes.coefficients(s)));
+    std::vector<int> plane_of_group(shapes.number_of_shapes(), none);
+    for(std::size_t p = 0; p < groups.size(); ++p)
+      plane_of_group[std::size_t(groups[p])] = int(p);
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+      if(const int p = plane_of_group[std::size_t(shapes.coplanar_group(s))]; p != none)
+        for(const Indexed_polygon& polygon : polygons.polygons[s])
+          for(const auto& t : polygon.triangles)
+            planes[std::size_t(p)].cover({outlines::point_at(polygons.points[t[0]]),
+                                          outlines::point_at(polygons.points[t[1]]),
+                                          outlines::point_at(polygons.points[t[2]])});
     Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
   }
 
@@ -229,6 +256,33 @@ struct Surface_input {
   }
 };
 
+// Of the planes, where they are the boundary.
+inline std::size_t number_of_points(const Cells& cells, const Inside_cells& inside,
+                                    const std::vector<Plane_coverage>& planes)
+{
+  const std::vector<std::vector<std::size_t>> of_plane = cells.facets_of_planes(planes.size());
+  std::vector<std::size_t> numbers(planes.size());
+  for_each_in_parallel(planes.size(), [&](std::size_t p) {
+    std::vector<Flat_polygon> facets;
+    std::vector<CGAL::Bbox_2> boxes;
+    for(std::size_t f : of_plane[p])
+      if(inside.is_boundary(int(f))) {
+        facets.push_back(planes[p].flat(cells.corners(cells.facets[f])));
+        boxes.push_back(CGAL::bbox_2(facets.back().begin(), facets.back().end()));
+      }
+    for(const Point& point : planes[p].points()) {
+      const Kernel::Point_2 flat = planes[p].flat(point);
+      for(std::size_t i = 0; i < facets.size(); ++i)
+        if(CGAL::do_overlap(boxes[i], flat.bbox()) &&
+           CGAL::bounded_side_2(facets[i].begin(), facets[i].end(), flat) != CGAL::ON_UNBOUNDED_SIDE) {
+          ++numbers[p];
+          break;
+        }
+    }
+  });
+  return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
+}
+
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
                                                       std::size_t most_planes, const internal::Vector& upward)
@@ -236,22 +290,19 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   const Vector up(upward.x, upward.y, upward.z);
   const outlines::Shapes shapes(data);
   Surface_input input(points, shapes, most_planes);
-  input.add_walls(outlines::outline_table(points, data), shapes, up);
+  input.add_outlines(outlines::outline_table(points, data), shapes, up);
   Surface_table result;
   result.number_of_planes = input.groups.size();
   if(input.planes.size() < Surface_input::fewest_planes)
     return result;
-  const Cells cells = cut_cells(input.planes, input.box);
+  const double resolution = 1e-7 * extent_of(input.box);
+  const Cells cells = cut_cells(input.planes, input.box, resolution);
   const Inside_cost cost(cells, input.planes, up);
   const Inside_cells inside(cells, cost);
-  for(std::size_t f = 0; f < cells.facets.size(); ++f)
-    if(inside.is_boundary(int(f)))
-      result.number_of_points += cost.number_of_points[f];
-  const double shortest = 1e-9 * extent_of(input.box); // what is closer is an effect of rounding
-  const Short_edges edges(cells.points, Boundary_faces(cells, inside).faces(), shortest);
+  result.number_of_points = number_of_points(cells, inside, input.planes);
   const auto out = [&](const Point& p) { return input.unit.out(Position{p.x(), p.y(), p.z()}); };
   std::map<int, std::size_t> number;
-  for(const Face& face : edges.faces()) {
+  for(const Face& face : Boundary_faces(cells, inside).faces()) {
     result.plane_of_face.push_back(input.group(face.plane));
     result.faces.emplace_back();
     for(int v : face.vertices) {
