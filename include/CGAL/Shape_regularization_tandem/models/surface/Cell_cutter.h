@@ -141,14 +141,15 @@ public:
   }
 
   // The cell becomes its part where the plane is negative, the other part is a cell of its own. Nothing happens if the
-  // plane does not cut the cell, or where it does is no single line, as vertices are not exactly in their planes.
+  // plane does not cut the cell, or if the cut would have a short edge, or more than one line, as vertices are not exactly
+  // in their planes.
   void split(int cell, int plane)
   {
     plane += faces_of_box;
     for(int f : cells_.facets_of(cell))
       for(int v : cells_.facet(f).vertices)
         side_[std::size_t(v)] = side_of(v, plane);
-    if(!has_single_cut(cell))
+    if(!has_single_cut(cell, planes_[std::size_t(plane)]))
       return;
     split_edges(cell, plane);
     const std::vector<int> whole = cells_.facets_of(cell);
@@ -184,52 +185,72 @@ private:
 
   int side(int vertex) const { return side_[std::size_t(vertex)]; }
 
-  // Whether one closed line separates the sides. Its corners are vertices, or edges with an end on each side.
-  bool has_single_cut(int cell) const
+  // Where the plane cuts an edge with an end on each side.
+  Point place_on(const Edge& edge, const Coefficients& plane) const
   {
-    std::map<Edge, Edge> next;
-    bool is_single = true;
-    const auto add = [&](const Edge& first, const Edge& last) {
-      is_single = next.emplace(first, last).second && is_single;
+    const Point &p = cells_.points[std::size_t(edge.first)], &q = cells_.points[std::size_t(edge.second)];
+    const double a = height(plane, p), b = height(plane, q);
+    return p + a / (a - b) * (q - p);
+  }
+
+  // Corners of a cut are vertices, which are given twice, and edges with an end on each side.
+  using Cut_line = std::pair<Edge, Edge>; // from corner to corner
+
+  // The lines of the cut along which a facet meets its part on the positive side. Returns whether each of its parts is in
+  // one piece, and no line across it is an edge of others.
+  bool find_cut(const std::vector<int>& loop, std::vector<Cut_line>& lines) const
+  {
+    const auto corner = [&](int u, int positive) { return side(u) == 0 ? Edge(u, u) : edge_of(u, positive); };
+    int positive_parts = 0, negative_parts = 0;
+    Cut_line across;
+    for_each_edge(loop, [&](int u, int v) {
+      if(side(u) <= 0 && side(v) > 0) {
+        across.second = corner(u, v);
+        ++positive_parts;
+      }
+      if(side(u) > 0 && side(v) <= 0)
+        across.first = corner(v, u);
+      if(side(u) >= 0 && side(v) < 0)
+        ++negative_parts;
+      if(side(u) == 0 && side(v) == 0)
+        lines.push_back({{u, u}, {v, v}});
+    });
+    if(negative_parts > 0)
+      lines = {across};
+    const bool is_edge = negative_parts > 0 && across.first.first == across.first.second &&
+                         across.second.first == across.second.second &&
+                         facets_of_edge_.count(edge_of(across.first.first, across.second.first)) > 0;
+    return positive_parts <= 1 && negative_parts <= 1 && !is_edge;
+  }
+
+  // Whether one closed line, no part of which is too short, separates the sides.
+  bool has_single_cut(int cell, const Coefficients& plane) const
+  {
+    const auto place = [&](const Edge& corner) {
+      return corner.first == corner.second ? cells_.points[std::size_t(corner.first)] : place_on(corner, plane);
     };
-    const auto corner = [&](int u, int v) { return side(u) == 0 ? Edge(u, u) : edge_of(u, v); }; // v is positive
+    std::map<Edge, Edge> next;
+    bool is_simple = true, has_negative = false;
     for(int f : cells_.facets_of(cell)) {
-      const std::vector<int>& loop = cells_.facet(f).vertices;
-      const std::size_t n = loop.size();
-      const bool is_behind = cells_.facet(f).behind == cell;
-      const auto connect = [&](const Edge& first, const Edge& last) {
-        is_behind ? add(last, first) : add(first, last);
-      };
+      has_negative = has_negative || has_side(f, -1);
       if(!has_side(f, 1))
         continue;
-      const bool is_cut = has_side(f, -1);
-      int runs = 0, negative_runs = 0;
-      Edge start, end;
-      for(std::size_t i = 0; i < n; ++i) {
-        const int u = loop[i], v = loop[(i + 1) % n];
-        if(side(u) <= 0 && side(v) > 0) {
-          start = corner(u, v);
-          ++runs;
-        }
-        if(side(u) > 0 && side(v) <= 0)
-          end = corner(v, u);
-        negative_runs += side(u) >= 0 && side(v) < 0;
-        if(!is_cut && side(u) == 0 && side(v) == 0)
-          connect(corner(u, v), corner(v, u));
+      std::vector<Cut_line> lines;
+      is_simple = find_cut(cells_.facet(f).vertices, lines) && is_simple;
+      for(auto [first, last] : lines) {
+        if(cells_.facet(f).behind == cell)
+          std::swap(first, last);
+        is_simple = is_simple && next.emplace(first, last).second &&
+                    CGAL::squared_distance(place(first), place(last)) > resolution_ * resolution_;
       }
-      if(is_cut)
-        connect(end, start);
-      if(runs > 1 || negative_runs > 1)
-        return false;
     }
-    if(!is_single || next.size() < 3)
+    if(!is_simple || !has_negative || next.size() < 3)
       return false;
     std::size_t length = 1;
     for(auto at = next.find(next.begin()->second); at != next.begin(); at = next.find(at->second), ++length)
       if(at == next.end() || length > next.size())
         return false;
-    return length == next.size() && std::any_of(cells_.facets_of(cell).begin(), cells_.facets_of(cell).end(),
-                                                [&](int f) { return has_side(f, -1); });
+    return length == next.size();
   }
 
   bool has_side(int facet, int s) const
@@ -267,9 +288,7 @@ private:
     facets_of_edge_.erase(at);
     const auto [u, v] = edge;
     const int w = int(cells_.points.size());
-    const Point &p = cells_.points[std::size_t(u)], &q = cells_.points[std::size_t(v)];
-    const double a = height(plane, p), b = height(plane, q);
-    add_vertex(p + a / (a - b) * (q - p));
+    add_vertex(place_on(edge, plane));
     facets_of_edge_[edge_of(u, w)] = facets_of_edge_[edge_of(v, w)] = facets;
     for(int f : facets) {
       std::vector<int>& loop = cells_.facets[std::size_t(f)].vertices;
