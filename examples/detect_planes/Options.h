@@ -190,7 +190,8 @@ struct Options {
   std::string label_property = "shape"; // of the output
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
     surfel_size;
-  std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals, sample;
+  std::optional<long long> mesh_components, mesh_planes, minimum_region_size, k_neighbors, cell_size, threads,
+    estimate_normals, sample;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;

@@ -195,6 +195,9 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add(group, "mesh", text_option(o.mesh, "FILE"),
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. The program makes the "
       "surface after all other files");
+  add(group, "mesh-components", number_option(o.mesh_components, "N"),
+      "--mesh keeps the N components with the largest areas; without this option all that have at least a hundredth of "
+      "the area of the largest");
   add(group, "mesh-planes", number_option(o.mesh_planes, "N"),
       "--mesh uses the N planes with most points: ", mesh_planes_by_default, " by default, and up to ",
       most_mesh_planes);

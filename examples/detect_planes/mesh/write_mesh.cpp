@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
+#include <cmath>
 #include <set>
 
 namespace program {
@@ -40,6 +41,7 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t 
   const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
   Surface surface = CGAL::Tandem::closed_surface(shapes, points,
                                                  CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
+                                                   .maximum_number_of_components(int(o.mesh_components.value_or(0)))
                                                    .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2])));
   check_signals();
   if(surface.is_empty() &&
@@ -59,10 +61,30 @@ void write_surface(std::ostream& out, const Surface& surface, const std::string&
   else
     out << "ply\nformat ascii 1.0\ncomment detect_planes of Tandem\nelement vertex " << points
         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces
-        << "\nproperty list int int vertex_indices\nend_header\n";
+        << "\nproperty list int int vertex_indices\nproperty double supported\nend_header\n";
   write_vertices(out, surface.points, is_obj ? "v " : "");
-  for(const auto& face : surface.faces)
-    write_corners(out << (is_obj ? "f" : std::to_string(face.size())), face, is_obj ? 1 : 0) << '\n';
+  for(std::size_t f = 0; f < faces; ++f) {
+    const auto& face = surface.faces[f];
+    write_corners(out << (is_obj ? "f" : std::to_string(face.size())), face, is_obj ? 1 : 0);
+    if(extension == ".ply")
+      out << ' ' << surface.supported_of_face[f];
+    out << '\n';
+  }
+}
+
+double supported_share(const Surface& surface)
+{
+  double sum = 0, supported = 0;
+  for(std::size_t f = 0; f < surface.faces.size(); ++f) {
+    Kernel::Vector_3 twice = CGAL::NULL_VECTOR;
+    const auto corner = [&](std::size_t i) { return surface.points[surface.faces[f][i]]; };
+    for(std::size_t i = 2; i < surface.faces[f].size(); ++i)
+      twice = twice + CGAL::cross_product(corner(i - 1) - corner(0), corner(i) - corner(0));
+    const double area = std::sqrt(twice.squared_length());
+    sum += area;
+    supported += area * surface.supported_of_face[f];
+  }
+  return supported / sum;
 }
 
 } // namespace
@@ -93,7 +115,8 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
                 (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
   write_surface(out, surface, lower_case_extension(o.mesh));
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
-  return {with_faces.size() - with_faces.count(-1), surface.faces.size(), usable, surface.number_of_points};
+  return {with_faces.size() - with_faces.count(-1), surface.faces.size(), usable, surface.number_of_points,
+          supported_share(surface)};
 }
 
 } // namespace program

@@ -150,6 +150,7 @@ struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area
   std::size_t points = 0;            // of shapes, whose plane is the surface there
+  double supported = 0;              // the share of the area that has points
 };
 
 // Empty, if --mesh takes all planes that have an area.

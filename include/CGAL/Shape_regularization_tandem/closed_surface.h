@@ -37,6 +37,8 @@ struct Closed_surface_3 {
   /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a face of the box of the
   /// points
   std::vector<int> plane_of_face;
+  /// the share of the area of each face that the outlines of shapes cover, from 0 to 1. The rest is assumed.
+  std::vector<double> supported_of_face;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
   /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all
@@ -55,18 +57,18 @@ struct Closed_surface_3 {
 The planes cut the box of the points into cells, and a minimum cut chooses those that are inside. Walls that have no
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
 
-The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
-is empty if the planes enclose nothing, or if fewer than four planes, walls included, have an area. Corners are rounded
-to `FT`, and the ends of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in
-their planes up to that, and where planes come closer to each other than rounding allows, as of a `Kernel` of `float`
-far from the origin, faces may touch or cross.
+The surface is closed, oriented outward and a two-manifold, has triangulations of all faces, and does not cross itself:
+exact predicates have checked it. It has several components where there are several buildings. It is empty if the planes
+enclose nothing, or if fewer than four planes, walls included, have an area. A corner within 10<sup>-7</sup> of the extent
+of the points from a plane is in that plane: so no edge is shorter, and faces are in their planes up to that. Corners are
+rounded to `FT` last: of a `Kernel` of `float` far from the origin, faces may touch or cross.
 
 Include `CGAL/Shape_regularization_tandem_models.h`.
 
 Time grows with the number of cells, which is O(n) for n planes that meet only their neighbors, and O(n<sup>3</sup>) for
-planes that all cross each other. For each facet that has points or a wall, 256 rays are tested with each plane, and
-each plane is tested with all cells. The function also finds the outlines of `polygons()`. With `CGAL_LINKED_WITH_TBB`
-it runs in parallel. The result is the same for every number of threads.
+planes that all cross each other; 64 rays leave each facet that has points or a wall. The function also finds the
+outlines of `polygons()`. With `CGAL_LINKED_WITH_TBB` it runs in parallel. The result is the same for every number of
+threads and every order of the points.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
@@ -83,6 +85,12 @@ it runs in parallel. The result is the same for every number of threads.
     \cgalParamType{`int`, at least 4}
     \cgalParamDefault{200}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_components}
+    \cgalParamDescription{how many components the surface may have, those with the largest areas; 0: all that have at
+    least a hundredth of the area of the largest}
+    \cgalParamType{`int`, at least 0}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}
     \cgalParamDescription{the direction upward: the rays that tell inside from outside go upward, and walls without points
     go down from the borders of shapes}
@@ -93,7 +101,8 @@ it runs in parallel. The result is the same for every number of threads.
 
 \return the surface, empty if there is none
 
-\throw Parameter_error fewer than four planes are asked for, or the direction is null or not finite
+\throw Parameter_error fewer than four planes or fewer than no components are asked for, or the direction is null or not finite
+\throw std::runtime_error the surface would cross itself as its corners are rounded; `what()` tells of which planes
 \throw std::invalid_argument the number of points is not that of the detection, or a point of a shape is not finite or
 farther from its plane than `maximum_distance`
 \throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
@@ -107,14 +116,19 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
     internal::throw_out_of_range("maximum_number_of_planes", most, "at least 4");
+  const int components = internal::parameter<internal_np::maximum_number_of_components_t>(np, 0);
+  if(components < 0)
+    internal::throw_out_of_range("maximum_number_of_components", components, "at least 0");
   const internal::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  auto table = internal::surface::surface_table(coordinates, shapes.data(), std::size_t(most), up);
+  auto table =
+    internal::surface::surface_table(coordinates, shapes.data(), std::size_t(most), up, std::size_t(components));
   Closed_surface_3<GeomTraits> result;
   for(const internal::Position& p : table.points)
     result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
   result.faces = std::move(table.faces);
   result.plane_of_face = std::move(table.plane_of_face);
+  result.supported_of_face = std::move(table.supported_of_face);
   result.number_of_planes = table.number_of_planes;
   result.number_of_points = table.number_of_points;
   return result;

@@ -56,6 +56,7 @@ enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
 enum largest_t { largest };
 enum maximum_distance_map_t { maximum_distance_map };
+enum maximum_number_of_components_t { maximum_number_of_components };
 enum maximum_number_of_planes_t { maximum_number_of_planes };
 enum minimum_area_t { minimum_area };
 enum minimum_extent_t { minimum_extent };
@@ -100,6 +101,7 @@ enum surfel_size_t { surfel_size };
   X(symmetry_direction, symmetry_direction_t)                                                                          \
   X(fixed_directions, fixed_directions_t)                                                                              \
   X(one_for_each_plane, one_for_each_plane_t)                                                                          \
+  X(maximum_number_of_components, maximum_number_of_components_t)                                                      \
   X(maximum_number_of_planes, maximum_number_of_planes_t)                                                              \
   X(largest, largest_t)                                                                                                \
   X(minimum_area, minimum_area_t)                                                                                      \

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// closed_surface(): closed two-manifolds, the same in every unit, and what it refuses. The volumes of houses of
-// airborne scans, whose walls have no points.
+// closed_surface(): closed two-manifolds, the same in every unit and order, and what it refuses. The volumes of sparse
+// scans of solids, and of houses of airborne scans, whose walls have no points.
 
 #include "testing/property_case.h"
 
@@ -109,6 +109,102 @@ BOOST_AUTO_TEST_CASE(random_scenes)
       CHECK_AT(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), c.name);
   }
   CHECK_AT(enclosed > 0, "random scenes enclose nothing");
+}
+
+// The sides of a prism over an L, or of a house with a roof of two or, if it is hipped, four sides.
+using Side = std::vector<Epick::Point_3>; // convex
+
+std::vector<Side> sides_of_solid(unsigned kind, double& volume)
+{
+  using P = Epick::Point_3;
+  if(kind == 0) {
+    volume = 3;
+    return {{P(0, 0, 0), P(2, 0, 0), P(2, 1, 0), P(0, 1, 0)}, {P(0, 1, 0), P(1, 1, 0), P(1, 2, 0), P(0, 2, 0)},
+            {P(0, 0, 1), P(2, 0, 1), P(2, 1, 1), P(0, 1, 1)}, {P(0, 1, 1), P(1, 1, 1), P(1, 2, 1), P(0, 2, 1)},
+            {P(0, 0, 0), P(2, 0, 0), P(2, 0, 1), P(0, 0, 1)}, {P(2, 0, 0), P(2, 1, 0), P(2, 1, 1), P(2, 0, 1)},
+            {P(2, 1, 0), P(1, 1, 0), P(1, 1, 1), P(2, 1, 1)}, {P(1, 1, 0), P(1, 2, 0), P(1, 2, 1), P(1, 1, 1)},
+            {P(1, 2, 0), P(0, 2, 0), P(0, 2, 1), P(1, 2, 1)}, {P(0, 2, 0), P(0, 0, 0), P(0, 0, 1), P(0, 2, 1)}};
+  }
+  const double d = kind == 1 ? 0 : .75; // of the ends of the ridge from the walls
+  const P a(0, 0, 1), b(1.5, 0, 1), c(1.5, 2, 1), e(0, 2, 1), m(.75, d, 1.75), n(.75, 2 - d, 1.75);
+  volume = kind == 1 ? 1.5 * 2 * 1.375 : 1.5 * 2 + .75 * 1.5 * ((2 - 2 * d) / 2 + 2 * d / 3);
+  std::vector<Side> result = {{a, m, n, e}, {b, c, n, m}, {a, b, m}, {c, e, n}};
+  const Side base = {P(0, 0, 0), P(1.5, 0, 0), P(1.5, 2, 0), P(0, 2, 0)}, eaves = {a, b, c, e};
+  result.push_back(base);
+  for(std::size_t i = 0; i < 4; ++i)
+    result.push_back({base[i], base[(i + 1) % 4], eaves[(i + 1) % 4], eaves[i]});
+  return result;
+}
+
+// Evenly by area, with some noise; turned.
+std::vector<Epick::Point_3> scan_of(const std::vector<Side>& sides, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto uniform = [&] { return double(random()) / 4294967296.; };
+  const double angle = 3 * uniform(), c = std::cos(angle), s = std::sin(angle);
+  std::vector<Epick::Point_3> result;
+  for(const Side& side : sides)
+    for(std::size_t i = 2; i < side.size(); ++i) {
+      const Epick::Vector_3 u = side[i - 1] - side[0], v = side[i] - side[0], normal = CGAL::cross_product(u, v);
+      const double length = std::sqrt(normal.squared_length());
+      for(int n = int(70 * length + uniform()); n > 0; --n) {
+        double x = uniform(), y = uniform();
+        if(x + y > 1) {
+          x = 1 - x;
+          y = 1 - y;
+        }
+        const Epick::Point_3 p = side[0] + x * u + y * v + .008 * (uniform() - .5) / length * normal;
+        result.emplace_back(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+      }
+    }
+  return result;
+}
+
+// Sparse scans of solids have their volumes, whatever the order of the points is, bit for bit.
+BOOST_AUTO_TEST_CASE(volumes)
+{
+  for(unsigned seed = 1; seed <= 5; ++seed)
+    for(unsigned kind = 0; kind < 3; ++kind) {
+      const std::string name = "solid " + std::to_string(kind) + ", seed " + std::to_string(seed);
+      double volume = 0;
+      std::vector<Epick::Point_3> points = scan_of(sides_of_solid(kind, volume), seed);
+      const auto surface_of = [&] {
+        return CGAL::Tandem::closed_surface(
+          CGAL::Tandem::detect_planes(points, np::maximum_distance(.012).minimum_region_size(15)), points);
+      };
+      const Surface surface = surface_of();
+      check_close(checked_volume(surface, name) / volume, 1, .01, name);
+      CHECK_AT(surface.supported_of_face.size() == surface.faces.size(), name);
+      for(const double share : surface.supported_of_face)
+        CHECK_AT(share >= 0 && share <= 1, name);
+      std::shuffle(points.begin(), points.end(), std::mt19937(seed));
+      const Surface other = surface_of();
+      CHECK_AT(other.points == surface.points && other.faces == surface.faces &&
+                 other.plane_of_face == surface.plane_of_face && other.supported_of_face == surface.supported_of_face,
+               name + ": another surface after a permutation");
+    }
+}
+
+// Two boxes, a small one of which is a component of its own.
+BOOST_AUTO_TEST_CASE(components)
+{
+  double volume = 0;
+  std::vector<Epick::Point_3> points;
+  for(const Epick::Point_3& p : scan_of(sides_of_solid(0, volume), 1))
+    points.emplace_back(20 * p.x(), 20 * p.y(), 20 * p.z());
+  const std::size_t large = points.size();
+  for(const auto& item : make_pairs<Epick>(make_box_cloud(400)))
+    points.push_back(item.first + Epick::Vector_3(60, 0, 0));
+  CHECK(points.size() > large);
+  const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.24).minimum_region_size(15));
+  const double whole = checked_volume(CGAL::Tandem::closed_surface(shapes, points), "whole");
+  const double all =
+    checked_volume(CGAL::Tandem::closed_surface(shapes, points, np::maximum_number_of_components(10)), "all");
+  check_close(whole / (8000 * volume), 1, .01, "the large one");
+  CHECK(all > whole);
+  check_throws<std::invalid_argument>(
+    [&] { CGAL::Tandem::closed_surface(shapes, points, np::maximum_number_of_components(-1)); }, {"at least 0"},
+    __LINE__);
 }
 
 // Points every .2 on a parallelogram, with some noise upward.

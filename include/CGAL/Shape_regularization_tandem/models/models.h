@@ -39,12 +39,14 @@ struct Surface_table {
   std::vector<Position> points;
   std::vector<std::vector<std::size_t>> faces;
   std::vector<int> plane_of_face;
+  std::vector<double> supported_of_face;
   std::size_t number_of_planes = 0, number_of_points = 0;
 };
 
-// Of at most this number of planes that have points.
+// Of at most this number of planes that have points, and of components; 0: of those that are not small.
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      std::size_t most_planes, const internal::Vector& up);
+                                                      std::size_t most_planes, const internal::Vector& up,
+                                                      std::size_t most_components);
 
 } // namespace surface
 

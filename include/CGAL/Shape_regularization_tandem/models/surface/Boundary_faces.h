@@ -21,6 +21,7 @@ namespace CGAL::Tandem::internal::surface {
 struct Face {
   std::vector<int> vertices; // counterclockwise, seen from outside
   int plane;                 // none: a face of the box
+  std::vector<int> facets;   // that it is made of
 };
 
 // Where only two faces meet, both go straight on.
@@ -57,14 +58,16 @@ public:
   {
     const std::vector<std::vector<std::vector<int>>> borders = borders_of_patches();
     std::vector<Face> result;
-    std::set<int> is_done;
+    std::map<int, std::size_t> face_of_patch;
     for(const auto& [facet, loop] : loops_) {
       const int patch = patch_.at(facet);
       const std::vector<std::vector<int>>& of_patch = borders[std::size_t(patch)];
       if(of_patch.size() != 1)
-        result.push_back({loop, cells_.facet(facet).plane});
-      else if(is_done.insert(patch).second)
-        result.push_back({of_patch.front(), cells_.facet(facet).plane});
+        result.push_back({loop, cells_.facet(facet).plane, {facet}});
+      else if(const auto [at, is_new] = face_of_patch.emplace(patch, result.size()); is_new)
+        result.push_back({of_patch.front(), cells_.facet(facet).plane, {facet}});
+      else
+        result[at->second].facets.push_back(facet);
     }
     drop_straight_corners(result);
     return result;
@@ -140,6 +143,53 @@ private:
   std::map<int, int> patch_; // of each facet
   int number_of_patches_ = 0;
 };
+
+// Of faces, which are connected where they have corners in common: those of components that have at least a part of the area
+// of the largest one; at most so many components, the largest.
+inline std::vector<Face> faces_of_components(std::vector<Face> faces, const std::vector<double>& area_of_facet,
+                                             double smallest, std::size_t most)
+{
+  std::map<int, std::vector<std::size_t>> faces_at;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(int v : faces[f].vertices)
+      faces_at[v].push_back(f);
+  struct Component {
+    double area = 0;
+    std::size_t number;
+  };
+  std::vector<Component> components;
+  std::vector<std::size_t> component_of(faces.size(), faces.size());
+  for(std::size_t f = 0; f < faces.size(); ++f) {
+    if(component_of[f] != faces.size())
+      continue;
+    components.push_back({0, components.size()});
+    std::vector<std::size_t> open = {f};
+    component_of[f] = components.back().number;
+    while(!open.empty()) {
+      const Face& face = faces[open.back()];
+      open.pop_back();
+      for(int facet : face.facets)
+        components.back().area += area_of_facet[std::size_t(facet)];
+      for(int v : face.vertices)
+        for(std::size_t g : faces_at[v])
+          if(component_of[g] == faces.size()) {
+            component_of[g] = components.back().number;
+            open.push_back(g);
+          }
+    }
+  }
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.area > b.area; });
+  std::set<std::size_t> kept;
+  for(const Component& c : components)
+    if(kept.size() < most && c.area >= smallest * components.front().area)
+      kept.insert(c.number);
+  std::vector<Face> result;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    if(kept.count(component_of[f]) > 0)
+      result.push_back(std::move(faces[f]));
+  return result;
+}
 
 } // namespace CGAL::Tandem::internal::surface
 

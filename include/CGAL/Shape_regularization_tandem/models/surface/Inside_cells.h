@@ -132,6 +132,7 @@ class Inside_cost {
 public:
   std::vector<double> inside, outside; // of each cell that is inside, or is not
   std::vector<double> boundary;        // of each facet between a cell that is inside and one that is not
+  std::vector<double> area, scanned;   // of each facet, and how much of it points cover
 
   Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
     : inside(cells.cells.size(), 0), outside(cells.cells.size(), 0)
@@ -147,6 +148,8 @@ public:
     for(std::size_t f = 0; f < cells.facets.size(); ++f) {
       const Facet& facet = cells.facets[f];
       const double free = covered[f].area - covered[f].scanned.area - covered[f].assumed.area;
+      area.push_back(covered[f].area);
+      scanned.push_back(covered[f].scanned.area);
       boundary.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
       if(facet.front == none)
         continue;

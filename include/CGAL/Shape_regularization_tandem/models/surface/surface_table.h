@@ -13,6 +13,7 @@
 #include <CGAL/Shape_regularization_tandem/models/surface/Boundary_faces.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/crossing_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,8 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -256,20 +259,23 @@ struct Surface_input {
   }
 };
 
-// Of the planes, where they are the boundary.
-inline std::size_t number_of_points(const Cells& cells, const Inside_cells& inside,
+// Of the planes, where these faces are.
+inline std::size_t number_of_points(const Cells& cells, const std::vector<Face>& faces,
                                     const std::vector<Plane_coverage>& planes)
 {
-  const std::vector<std::vector<std::size_t>> of_plane = cells.facets_of_planes(planes.size());
+  std::vector<std::vector<int>> facets_of(planes.size());
+  for(const Face& face : faces)
+    if(face.plane != none)
+      facets_of[std::size_t(face.plane)].insert(facets_of[std::size_t(face.plane)].end(), face.facets.begin(),
+                                                face.facets.end());
   std::vector<std::size_t> numbers(planes.size());
   for_each_in_parallel(planes.size(), [&](std::size_t p) {
     std::vector<Flat_polygon> facets;
     std::vector<CGAL::Bbox_2> boxes;
-    for(std::size_t f : of_plane[p])
-      if(inside.is_boundary(int(f))) {
-        facets.push_back(planes[p].flat(cells.corners(cells.facets[f])));
-        boxes.push_back(CGAL::bbox_2(facets.back().begin(), facets.back().end()));
-      }
+    for(int f : facets_of[p]) {
+      facets.push_back(planes[p].flat(cells.corners(cells.facet(f))));
+      boxes.push_back(CGAL::bbox_2(facets.back().begin(), facets.back().end()));
+    }
     for(const Point& point : planes[p].points()) {
       const Kernel::Point_2 flat = planes[p].flat(point);
       for(std::size_t i = 0; i < facets.size(); ++i)
@@ -283,10 +289,37 @@ inline std::size_t number_of_points(const Cells& cells, const Inside_cells& insi
   return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
 }
 
+// The share of its area that points cover.
+inline double supported_share(const Face& face, const Inside_cost& cost)
+{
+  double area = 0, scanned = 0;
+  for(int f : face.facets) {
+    area += cost.area[std::size_t(f)];
+    scanned += cost.scanned[std::size_t(f)];
+  }
+  return scanned / area;
+}
+
+// Planes that are closer than rounding allows may cross where they should meet.
+inline void refuse_crossing_faces(const std::vector<Point>& points, const Surface_table& table)
+{
+  const auto crossing = crossing_faces(points, table.faces);
+  if(crossing.empty())
+    return;
+  const auto [f, g] = crossing.front();
+  throw std::runtime_error(
+    "CGAL::Tandem: a closed surface would cross itself, as the coordinates of its corners are rounded: faces of "
+    "the coplanar groups " +
+    std::to_string(table.plane_of_face[f]) + " and " + std::to_string(table.plane_of_face[g]) +
+    " (-1: no group). Without the points of one of them there may be a surface");
+}
+
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      std::size_t most_planes, const internal::Vector& upward)
+                                                      std::size_t most_planes, const internal::Vector& upward,
+                                                      std::size_t most_components)
 {
+  constexpr double smallest_component = .01; // of the area of the largest, unless their number is given
   const Vector up(upward.x, upward.y, upward.z);
   const outlines::Shapes shapes(data);
   Surface_input input(points, shapes, most_planes);
@@ -299,19 +332,26 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   const Cells cells = cut_cells(input.planes, input.box, resolution);
   const Inside_cost cost(cells, input.planes, up);
   const Inside_cells inside(cells, cost);
-  result.number_of_points = number_of_points(cells, inside, input.planes);
-  const auto out = [&](const Point& p) { return input.unit.out(Position{p.x(), p.y(), p.z()}); };
+  const double smallest = most_components == 0 ? smallest_component : 0;
+  const std::vector<Face> faces = faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, smallest,
+                                                      most_components == 0 ? cells.cells.size() : most_components);
+  result.number_of_points = number_of_points(cells, faces, input.planes);
   std::map<int, std::size_t> number;
-  for(const Face& face : Boundary_faces(cells, inside).faces()) {
+  std::vector<Point> corners;
+  for(const Face& face : faces) {
     result.plane_of_face.push_back(input.group(face.plane));
+    result.supported_of_face.push_back(supported_share(face, cost));
     result.faces.emplace_back();
     for(int v : face.vertices) {
-      const auto added = number.emplace(v, result.points.size());
+      const auto added = number.emplace(v, corners.size());
       if(added.second)
-        result.points.push_back(out(cells.points[std::size_t(v)]));
+        corners.push_back(cells.points[std::size_t(v)]);
       result.faces.back().push_back(added.first->second);
     }
   }
+  refuse_crossing_faces(corners, result);
+  for(const Point& p : corners)
+    result.points.push_back(input.unit.out(Position{p.x(), p.y(), p.z()}));
   return result;
 }
 
