@@ -202,6 +202,7 @@ def test_units(p, exponent):
 test_bad_usage = cases([
     ("crs needs --polygons with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
+    ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
     *((f"mesh-planes is {n}, allowed is .4, 1000.", f"missing.ply --mesh m.off --mesh-planes {n}") for n in (3, 1001)),
     ("mesh is 'm.stl', must end in .off, .obj or .ply", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
 
@@ -223,6 +224,15 @@ def test_closed_surface(p, name, planes, more, counts, expected):
     assert counts in (None, (len(points), len(faces))) and volume(points, faces) == pytest.approx(expected, abs=.005)
     heights = points @ p.planes("planes.txt")[:, :3].T + p.planes("planes.txt")[:, 3]
     assert all((abs(heights[face]) <= 1e-6).all(axis=0).any() for face in faces), "a face is on no plane"
+
+
+def test_parts_of_a_surface(p):
+    """The largest component of two; and in PLY, how much of each face has points."""
+    p.warns("boxes.xyz E --mesh one.ply --mesh-components 1", "one.ply: has only 50 % of the points of shapes")
+    lines = p.lines("one.ply")
+    assert "property double supported" in lines
+    shares = [float(line.split()[-1]) for line in lines[-6:]]
+    assert all(.5 < share <= 1 for share in shares)
 
 
 OTHERS = {"planes": "planes", "labels": "labels", "output": "ply", "report": "json", "vg": "vg", "polygons": "obj"}
