@@ -12,6 +12,7 @@
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 
+#include <cmath>
 #include <deque>
 
 namespace program {
@@ -336,13 +337,11 @@ try {
   const Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
   const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
   if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes)) {
-    const std::string with = text_of(100 * facts->points / points, " % of the points of shapes");
-    run.mesh = text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes, with ", with,
-                       "; ", std::lround(100 * facts->supported), " % of its area has points");
-    if(3 * facts->points < 2 * points)
-      run.warnings.push_back(text_of(o.mesh, ": has only ", with,
-                                     ": the others enclose no volume. Scan the missing sides, or "
-                                     "choose a part by --crop"));
+    const bool is_part = 3 * facts->points < 2 * points;
+    run.mesh = text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes, with ",
+                       100 * facts->points / points, " % of the points of shapes",
+                       is_part ? " (the others enclose no volume: scan the missing sides, or --crop a part)" : "", "; ",
+                       std::lround(100 * facts->supported), " % of its area has points");
   }
   return {};
 } catch(const std::bad_alloc&) {
@@ -356,10 +355,7 @@ try {
 // The mesh and the summary, when all other files are complete.
 void finish(Output_files& files, const Shapes& shapes, const Options& o, Processes& processes, Run& run)
 {
-  const std::size_t said = run.warnings.size();
   const std::string failure = make_mesh(files, shapes, o, run);
-  for(std::size_t i = said; i < run.warnings.size(); ++i)
-    warn(run.warnings[i]);
   run.files = files.names();
   const char* rest = files.is_empty() ? "" : "; the other files are complete";
   if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
