@@ -6,7 +6,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 
-#include <CGAL/Shape_regularization_tandem/models/outlines/Point_blocks.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <CGAL/Bbox_3.h>
@@ -384,7 +383,7 @@ inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bb
   Cell_cutter cutter(box, resolution);
   for(const Plane_coverage& plane : planes) {
     const int number = cutter.add_plane(plane.plane());
-    const CGAL::Bbox_3 near = outlines::grown(plane.box(), reach);
+    const CGAL::Bbox_3 near = plane.box(reach);
     for(int c = int(cutter.number_of_cells()) - 1; c >= 0; --c) {
       if(!CGAL::do_overlap(near, cutter.box(c)))
         continue;

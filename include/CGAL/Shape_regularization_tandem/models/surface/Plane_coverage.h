@@ -121,12 +121,14 @@ public:
   Vector normal() const { return Vector(plane_[0], plane_[1], plane_[2]); }
   const std::vector<Point>& points() const { return points_; }
   const Flat_polygon& hull() const { return hull_; }
-  CGAL::Bbox_3 box() const // of the hull
+  // Of what is within a distance of the hull.
+  CGAL::Bbox_3 box(double distance) const
   {
     CGAL::Bbox_3 result;
     for(const Kernel::Point_2& p : hull_)
       result += lifted(p).bbox();
-    return result;
+    return {result.xmin() - distance, result.ymin() - distance, result.zmin() - distance,
+            result.xmax() + distance, result.ymax() + distance, result.zmax() + distance};
   }
   const std::vector<Corners>& covered() const { return covered_; }
   const std::vector<Corners>& assumed() const { return assumed_; }
