@@ -266,4 +266,16 @@ BOOST_AUTO_TEST_CASE(airborne_scans)
   check_airborne_volume(turned, Epick::Vector_3(0, 2, 0), volumes[2]);
 }
 
+// Below a carport, whose floor was scanned, are no walls.
+BOOST_AUTO_TEST_CASE(carport)
+{
+  std::vector<Epick::Point_3> points;
+  add_area(points, Epick::Point_3(-10, -10, 0), Epick::Vector_3(30, 0, 0), Epick::Vector_3(0, 30, 0));
+  add_area(points, Epick::Point_3(0, 0, 3), Epick::Vector_3(6, 0, 0), Epick::Vector_3(0, 5, 1));
+  add_area(points, Epick::Point_3(0, 5, 4), Epick::Vector_3(6, 0, 0), Epick::Vector_3(0, 5, -1));
+  const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.08).minimum_region_size(100));
+  CHECK(shapes.number_of_shapes() == 3);
+  CHECK(CGAL::Tandem::closed_surface(shapes, points).is_empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
