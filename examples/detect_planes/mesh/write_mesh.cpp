@@ -8,7 +8,6 @@
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
-#include <cmath>
 #include <set>
 
 namespace program {
@@ -72,21 +71,6 @@ void write_surface(std::ostream& out, const Surface& surface, const std::string&
   }
 }
 
-double supported_share(const Surface& surface)
-{
-  double sum = 0, supported = 0;
-  for(std::size_t f = 0; f < surface.faces.size(); ++f) {
-    Kernel::Vector_3 twice = CGAL::NULL_VECTOR;
-    const auto corner = [&](std::size_t i) { return surface.points[surface.faces[f][i]]; };
-    for(std::size_t i = 2; i < surface.faces[f].size(); ++i)
-      twice = twice + CGAL::cross_product(corner(i - 1) - corner(0), corner(i) - corner(0));
-    const double area = std::sqrt(twice.squared_length());
-    sum += area;
-    supported += area * surface.supported_of_face[f];
-  }
-  return supported / sum;
-}
-
 } // namespace
 
 // What fails here fails again when the mesh is made, after the other files.
@@ -116,7 +100,7 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
   write_surface(out, surface, lower_case_extension(o.mesh));
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
   return {with_faces.size() - with_faces.count(-1), surface.faces.size(), usable, surface.number_of_points,
-          supported_share(surface)};
+          surface.supported};
 }
 
 } // namespace program

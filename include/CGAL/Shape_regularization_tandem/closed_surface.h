@@ -39,6 +39,8 @@ struct Closed_surface_3 {
   std::vector<int> plane_of_face;
   /// the share of the area of each face that the outlines of shapes cover, from 0 to 1. The rest is assumed.
   std::vector<double> supported_of_face;
+  /// the same share of the area of all faces; 0 if there is none
+  double supported = 0;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
   /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all
@@ -129,6 +131,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   result.faces = std::move(table.faces);
   result.plane_of_face = std::move(table.plane_of_face);
   result.supported_of_face = std::move(table.supported_of_face);
+  result.supported = table.supported;
   result.number_of_planes = table.number_of_planes;
   result.number_of_points = table.number_of_points;
   return result;

@@ -40,6 +40,7 @@ struct Surface_table {
   std::vector<std::vector<std::size_t>> faces;
   std::vector<int> plane_of_face;
   std::vector<double> supported_of_face;
+  double supported = 0;
   std::size_t number_of_planes = 0, number_of_points = 0;
 };
 

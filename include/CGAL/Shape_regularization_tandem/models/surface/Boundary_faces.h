@@ -144,11 +144,12 @@ private:
   int number_of_patches_ = 0;
 };
 
-// Of faces, which are connected where they have corners in common: those of components that have at least a part of the area
-// of the largest one; at most so many components, the largest.
+// Of faces, which are connected where they have corners in common, those of so many components with the largest areas; 0: of
+// all that have at least a hundredth of the area of the largest.
 inline std::vector<Face> faces_of_components(std::vector<Face> faces, const std::vector<double>& area_of_facet,
-                                             double smallest, std::size_t most)
+                                             std::size_t most)
 {
+  constexpr double smallest = .01;
   std::map<int, std::vector<std::size_t>> faces_at;
   for(std::size_t f = 0; f < faces.size(); ++f)
     for(int v : faces[f].vertices)
@@ -182,7 +183,7 @@ inline std::vector<Face> faces_of_components(std::vector<Face> faces, const std:
                    [](const Component& a, const Component& b) { return a.area > b.area; });
   std::set<std::size_t> kept;
   for(const Component& c : components)
-    if(kept.size() < most && c.area >= smallest * components.front().area)
+    if(most == 0 ? c.area >= smallest * components.front().area : kept.size() < most)
       kept.insert(c.number);
   std::vector<Face> result;
   for(std::size_t f = 0; f < faces.size(); ++f)

@@ -134,7 +134,7 @@ public:
         const Point &p = cells_.points[std::size_t(u)], &q = cells_.points[std::size_t(v)];
         const double a = height(c, p), b = height(c, q);
         if((a < 0) != (b < 0))
-          result.push_back(p + a / (a - b) * (q - p));
+          result.push_back(zero_between(p, a, q, b));
       });
     return result;
   }
@@ -188,8 +188,7 @@ private:
   Point place_on(const Edge& edge, const Coefficients& plane) const
   {
     const Point &p = cells_.points[std::size_t(edge.first)], &q = cells_.points[std::size_t(edge.second)];
-    const double a = height(plane, p), b = height(plane, q);
-    return p + a / (a - b) * (q - p);
+    return zero_between(p, height(plane, p), q, height(plane, q));
   }
 
   // Corners of a cut are vertices, which are given twice, and edges with an end on each side.

@@ -33,6 +33,13 @@ inline double height(const Coefficients& c, const Point& p)
   return std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3])));
 }
 
+// Where a linear function is 0 that is a at p and b, of the other sign, at q.
+template <class Any_point>
+Any_point zero_between(const Any_point& p, double a, const Any_point& q, double b)
+{
+  return p + a / (a - b) * (q - p);
+}
+
 // --- Convex polygons, counterclockwise
 
 // Of the point to the left of an edge.
@@ -67,7 +74,7 @@ inline Flat_polygon common_part(Flat_polygon part, const Flat_polygon& other)
       if(a >= 0)
         left.push_back(p);
       if((a < 0) != (b < 0))
-        left.push_back(p + a / (a - b) * (q - p));
+        left.push_back(zero_between(p, a, q, b));
     }
     part = std::move(left);
   }

@@ -289,15 +289,18 @@ inline std::size_t number_of_points(const Cells& cells, const std::vector<Face>&
   return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
 }
 
-// The share of its area that points cover.
-inline double supported_share(const Face& face, const Inside_cost& cost)
+struct Areas {
+  double all = 0, scanned = 0;
+};
+
+inline Areas areas_of(const Face& face, const Inside_cost& cost)
 {
-  double area = 0, scanned = 0;
+  Areas result;
   for(int f : face.facets) {
-    area += cost.area[std::size_t(f)];
-    scanned += cost.scanned[std::size_t(f)];
+    result.all += cost.area[std::size_t(f)];
+    result.scanned += cost.scanned[std::size_t(f)];
   }
-  return scanned / area;
+  return result;
 }
 
 // Planes that are closer than rounding allows may cross where they should meet.
@@ -319,7 +322,6 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
                                                       std::size_t most_planes, const internal::Vector& upward,
                                                       std::size_t most_components)
 {
-  constexpr double smallest_component = .01; // of the area of the largest, unless their number is given
   const Vector up(upward.x, upward.y, upward.z);
   const outlines::Shapes shapes(data);
   Surface_input input(points, shapes, most_planes);
@@ -332,15 +334,18 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   const Cells cells = cut_cells(input.planes, input.box, resolution);
   const Inside_cost cost(cells, input.planes, up);
   const Inside_cells inside(cells, cost);
-  const double smallest = most_components == 0 ? smallest_component : 0;
-  const std::vector<Face> faces = faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, smallest,
-                                                      most_components == 0 ? cells.cells.size() : most_components);
+  const std::vector<Face> faces =
+    faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, most_components);
   result.number_of_points = number_of_points(cells, faces, input.planes);
   std::map<int, std::size_t> number;
   std::vector<Point> corners;
+  Areas whole;
   for(const Face& face : faces) {
     result.plane_of_face.push_back(input.group(face.plane));
-    result.supported_of_face.push_back(supported_share(face, cost));
+    const Areas areas = areas_of(face, cost);
+    result.supported_of_face.push_back(areas.scanned / areas.all);
+    whole.all += areas.all;
+    whole.scanned += areas.scanned;
     result.faces.emplace_back();
     for(int v : face.vertices) {
       const auto added = number.emplace(v, corners.size());
@@ -349,6 +354,7 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
       result.faces.back().push_back(added.first->second);
     }
   }
+  result.supported = faces.empty() ? 0 : whole.scanned / whole.all;
   refuse_crossing_faces(corners, result);
   for(const Point& p : corners)
     result.points.push_back(input.unit.out(Position{p.x(), p.y(), p.z()}));
