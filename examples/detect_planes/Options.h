@@ -165,8 +165,7 @@ private:
 // Of estimate_normals: no PCA of a given number of neighbors. Nobody gives that number.
 constexpr long long by_library = std::numeric_limits<long long>::min();
 
-// Numbers of planes of --mesh: more take minutes, and those not even Ctrl-C ends soon.
-constexpr long long fewest_mesh_planes = 4, mesh_planes_by_default = 200, most_mesh_planes = 1000;
+constexpr long long fewest_mesh_planes = 4; // that enclose something
 
 // Of the planes that are selected by their normals.
 struct Direction_choice {
@@ -189,7 +188,7 @@ struct Options {
   std::string colors;                   // of the output: shape, input or empty
   std::string label_property = "shape"; // of the output
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
-    surfel_size;
+    surfel_size, mesh_seconds;
   std::optional<long long> mesh_components, mesh_planes, minimum_region_size, k_neighbors, cell_size, threads,
     estimate_normals, sample;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;

@@ -326,9 +326,10 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty(),
             "--oriented needs --planes, --shapes, --view or --polygons");
   refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");
+  refuse_if(o.mesh_seconds && o.mesh.empty(), "--mesh-seconds needs --mesh");
   refuse_if(o.mesh_components && o.mesh.empty(), "--mesh-components needs --mesh");
   check_count("mesh-components", o.mesh_components, 1, 1000000);
-  check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
+  check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, 1LL << 31);
   check_count("largest", o.largest, 1, 1LL << 31);
   refuse_if(!detects && has_library_normals,
             "--planes-from with --estimate-normals needs a number K of neighbors: --estimate-normals K");

@@ -209,13 +209,12 @@ public:
   }
 
   // The surface may take long, or not be there, and then the others are complete.
-  std::optional<Mesh_facts> write_mesh(const Shapes& shapes)
+  std::optional<Mesh_facts> write_mesh(const Shapes& shapes, const CGAL::Tandem::Callback& show)
   {
     if(!mesh)
       return std::nullopt;
     Mesh_facts facts;
-    mesh->write([&](std::ostream& out) { facts = program::write_mesh(out, cloud.points, shapes, options); });
-    check_signals();
+    mesh->write([&](std::ostream& out) { facts = program::write_mesh(out, cloud.points, shapes, options, show); });
     mesh->commit();
     written.push_back(options.mesh);
     return facts;
@@ -331,23 +330,36 @@ void write_files(Output_files& files, const Shapes& shapes, const Options& o, bo
     warn(run.warnings[i]);
 }
 
+// Why the mesh lacks planes.
+const char* limit_of_planes(const Options& o)
+{
+  return o.mesh_seconds  ? "--mesh-seconds"
+         : o.mesh_planes ? "--mesh-planes"
+                         : "they would cut space into too many cells";
+}
+
 // Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
 std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
 try {
-  const Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
+  Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
   const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
-  if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes)) {
+  const auto show = [&progress](double fraction) {
+    progress.show(fraction);
+    return true;
+  };
+  if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes, show)) {
     const bool is_part = 3 * facts->points < 2 * points;
-    run.mesh = text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes, with ",
-                       100 * facts->points / points, " % of the points of shapes",
-                       is_part ? " (the others enclose no volume: scan the missing sides, or --crop a part)" : "", "; ",
-                       std::lround(100 * facts->supported), " % of its area has points");
+    const std::size_t omitted = facts->omitted_planes;
+    run.mesh =
+      text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",
+              omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "",
+              ", with ", 100 * facts->points / points, " % of the points of shapes",
+              is_part ? " (the others enclose no volume: scan the missing sides, or --crop a part)" : "", "; ",
+              std::lround(100 * facts->supported), " % of its area has points");
   }
   return {};
 } catch(const std::bad_alloc&) {
   return "--mesh: not enough memory";
-} catch(const Interrupted& e) {
-  return files.is_empty() ? e.what() : "interrupted";
 } catch(const std::exception& e) {
   return e.what();
 }
@@ -407,7 +419,6 @@ void run(Options o, Processes& processes, Made_folders& folders)
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run.tolerance);
   warnings.emplace_back(sides.warning());
   processes.together([&] { select(cloud.points, o, run, *shapes, warnings); });
-  warnings.push_back(warning_of_planes(cloud.points, *shapes, o));
   run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
   run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
   add_warnings(warnings, processes.is_first(), run);
@@ -422,6 +433,8 @@ void run(Options o, Processes& processes, Made_folders& folders)
   processes.together([&] {
     files->commit();
     folders.keep();
+    end_at_signal();
+    check_signals();
   });
   finish(*files, *shapes, o, processes, run);
 }

@@ -206,7 +206,7 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
   namespace np = CGAL::Tandem::parameters;
   const std::function<bool(double)> callback = [&](double fraction) {
     check_signals();
-    progress.show(fraction);
+    progress.show_stage(fraction);
     return true;
   };
   if(o.has_local_distances)

@@ -126,6 +126,17 @@ inline void request_end(int signal)
   errno = error;
 }
 
+// Where a file that is not complete is all that there is to lose, the first signal ends the process.
+inline void end_at_signal()
+{
+  for(int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if(action.sa_handler == request_end)
+      handle(signal, end_by_signal);
+  }
+}
+
 // nohup ignores SIGHUP, for example: that stays so.
 inline void catch_unless_ignored(int signal, void (*handler)(int))
 {

@@ -121,11 +121,17 @@ public:
     out << '\r' << std::string(width, ' ') << '\r' << std::flush;
   }
 
-  // Of a detection.
   void show(double progress)
   {
     const std::lock_guard<std::mutex> lock(mutex);
     fraction = (std::min)((std::max)(progress, 0.0), 1.0);
+  }
+
+  // Of a detection.
+  void show_stage(double progress)
+  {
+    show(progress);
+    const std::lock_guard<std::mutex> lock(mutex);
     work = name_of(CGAL::Tandem::stage_at(fraction));
   }
 

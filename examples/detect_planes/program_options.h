@@ -198,9 +198,11 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add(group, "mesh-components", number_option(o.mesh_components, "N"),
       "--mesh keeps the N components with the largest areas; without this option all that have at least a hundredth of "
       "the area of the largest");
-  add(group, "mesh-planes", number_option(o.mesh_planes, "N"),
-      "--mesh uses the N planes with most points: ", mesh_planes_by_default, " by default, and up to ",
-      most_mesh_planes);
+  add(group, "mesh-planes", number_option(o.mesh_planes, "N"), "--mesh uses only the N planes with most points");
+  add(group, "mesh-seconds", number_option(o.mesh_seconds, "S"),
+      "--mesh takes at most about S seconds: if all planes take longer than S/2, a quarter of them is used, those with "
+      "most "
+      "points, and so on. What is left out then depends on the machine");
   visible.add(group);
   hidden.add_options()("vg-by-plane",
                        po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone

@@ -4,10 +4,10 @@
 #include "output/writers.h"
 #include "errors.h"
 
-#include "../Shape_regularization_tandem/convex_polygons.h"
-
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
+#include <chrono>
+#include <limits>
 #include <set>
 
 namespace program {
@@ -16,37 +16,32 @@ namespace {
 
 using Surface = CGAL::Tandem::Closed_surface_3<Kernel>;
 
-std::string limits()
+// Of as many planes as there is time for: all of them in half of it, a quarter of them in half of the rest, and so on.
+Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o,
+                     const CGAL::Tandem::Callback& show)
 {
-  return "--mesh takes " + std::to_string(mesh_planes_by_default) + " by default, and up to " +
-         std::to_string(most_mesh_planes) + " by --mesh-planes";
-}
-
-std::string number_of(std::size_t planes, std::size_t all)
-{
-  return std::to_string(planes) + (planes < all ? " of " + std::to_string(all) : "") + " planes";
-}
-
-// Those that have an area: the points of others are on a line.
-std::size_t number_of_usable_planes(const Point_set& points, const Shapes& shapes)
-{
-  return convex_polygons<Kernel>(CGAL::Tandem::projected_points(points, shapes), CGAL::Tandem::distinct_planes(shapes))
-    .planes.size();
-}
-
-// Of at most so many planes.
-Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t planes, const Options& o)
-{
+  using Clock = std::chrono::steady_clock;
   const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
-  Surface surface = CGAL::Tandem::closed_surface(shapes, points,
-                                                 CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
-                                                   .maximum_number_of_components(int(o.mesh_components.value_or(0)))
-                                                   .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2])));
-  check_signals();
-  if(surface.is_empty() &&
-     surface.number_of_planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
-    throw_error("--mesh: a closed surface needs four planes, but there are ", surface.number_of_planes);
-  return surface;
+  std::chrono::duration<double> left(o.mesh_seconds.value_or(std::numeric_limits<double>::infinity()));
+  long long planes = o.mesh_planes.value_or((std::numeric_limits<int>::max)());
+  while(planes >= fewest_mesh_planes) {
+    const Clock::time_point start = Clock::now();
+    bool is_late = false;
+    const auto callback = [&](double progress) {
+      is_late = 2 * (Clock::now() - start) > left;
+      return show(progress) && !is_late;
+    };
+    Surface surface = CGAL::Tandem::closed_surface(shapes, points,
+                                                   CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
+                                                     .maximum_number_of_components(int(o.mesh_components.value_or(0)))
+                                                     .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2]))
+                                                     .callback(callback));
+    if(!is_late)
+      return surface;
+    left -= Clock::now() - start;
+    planes = (std::min)(planes, (long long)(shapes.statistics().number_of_planes)) / 4;
+  }
+  throw_error("--mesh: there is no surface within the ", *o.mesh_seconds, " seconds of --mesh-seconds");
 }
 
 void write_surface(std::ostream& out, const Surface& surface, const std::string& extension)
@@ -73,34 +68,19 @@ void write_surface(std::ostream& out, const Surface& surface, const std::string&
 
 } // namespace
 
-// What fails here fails again when the mesh is made, after the other files.
-std::string warning_of_planes(const Point_set& points, const Shapes& shapes, const Options& o)
-try {
-  constexpr std::size_t most = mesh_planes_by_default;
-  if(o.mesh.empty() || o.mesh_planes || shapes.statistics().number_of_planes <= most)
-    return {};
-  const std::size_t usable = number_of_usable_planes(points, shapes);
-  if(usable <= most)
-    return {};
-  return o.mesh + ": has " + number_of(most, usable) + ", those with most points: " + limits();
-} catch(const std::exception&) {
-  return {};
-}
-
-Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)
+Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
+                      const CGAL::Tandem::Callback& show)
 {
-  const std::size_t most = std::size_t(o.mesh_planes.value_or(mesh_planes_by_default));
-  const Surface surface = make_surface(points, shapes, most, o);
-  std::size_t usable = surface.number_of_planes;
-  if(usable == most && shapes.statistics().number_of_planes > most)
-    usable = (std::max)(most, number_of_usable_planes(points, shapes));
+  const Surface surface = make_surface(points, shapes, o, show);
+  const std::size_t planes = surface.number_of_planes;
+  if(surface.is_empty() && planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
+    throw_error("--mesh: a closed surface needs four planes, but there are ", planes);
   if(surface.is_empty())
-    throw_error("--mesh: no volume was found that ", number_of(surface.number_of_planes, usable), " enclose",
-                (surface.number_of_planes < usable ? " (" + limits() + ")" : ""));
+    throw_error("--mesh: no volume was found that ", planes, " planes enclose");
   write_surface(out, surface, lower_case_extension(o.mesh));
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
-  return {with_faces.size() - with_faces.count(-1), surface.faces.size(), usable, surface.number_of_points,
-          surface.supported};
+  return {with_faces.size() - with_faces.count(-1), surface.faces.size(),     planes + surface.number_of_omitted_planes,
+          surface.number_of_omitted_planes,         surface.number_of_points, surface.supported};
 }
 
 } // namespace program

@@ -149,15 +149,14 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
 struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area
+  std::size_t omitted_planes = 0;    // of these, without the surface
   std::size_t points = 0;            // of shapes, whose plane is the surface there
   double supported = 0;              // the share of the area that has points
 };
 
-// Empty, if --mesh takes all planes that have an area.
-std::string warning_of_planes(const Point_set& points, const Shapes& shapes, const Options& o);
-
 // The format is that of the extension of --mesh: .off, .obj or .ply.
-Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o);
+Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
+                      const CGAL::Tandem::Callback& show);
 
 // ---
 

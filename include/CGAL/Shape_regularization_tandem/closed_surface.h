@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -43,6 +44,8 @@ struct Closed_surface_3 {
   double supported = 0;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
+  /// the number of those that were not, which have fewer points
+  std::size_t number_of_omitted_planes = 0;
   /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all
   /// points of shapes says that much of the scan is no part of a volume.
   std::size_t number_of_points = 0;
@@ -85,7 +88,8 @@ threads and every order of the points.
     \cgalParamDescription{how many distinct planes may bound the surface, those with most points; walls without points
     are not counted}
     \cgalParamType{`int`, at least 4}
-    \cgalParamDefault{200}
+    \cgalParamDefault{all; of so many that they cut the box into more than 400,000 cells, half of them, or a quarter,
+    and so on}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_components}
     \cgalParamDescription{how many components the surface may have, those with the largest areas; 0: all that have at
@@ -98,6 +102,11 @@ threads and every order of the points.
     go down from the borders of shapes}
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread. By
+    returning `false` it cancels the work, and the surface is empty. What it throws reaches the caller.}
+    \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -115,7 +124,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
 {
   using FT = typename GeomTraits::FT;
   const auto coordinates = internal::checked_coordinates(shapes, points, np);
-  const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
+  const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, (std::numeric_limits<int>::max)());
   if(most < 4)
     internal::throw_out_of_range("maximum_number_of_planes", most, "at least 4");
   const int components = internal::parameter<internal_np::maximum_number_of_components_t>(np, 0);
@@ -123,8 +132,9 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
     internal::throw_out_of_range("maximum_number_of_components", components, "at least 0");
   const internal::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  auto table =
-    internal::surface::surface_table(coordinates, shapes.data(), std::size_t(most), up, std::size_t(components));
+  auto table = internal::surface::surface_table(
+    coordinates, shapes.data(),
+    {std::size_t(most), std::size_t(components), up, internal::parameter<internal_np::callback_t>(np, Callback())});
   Closed_surface_3<GeomTraits> result;
   for(const internal::Position& p : table.points)
     result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
@@ -133,6 +143,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   result.supported_of_face = std::move(table.supported_of_face);
   result.supported = table.supported;
   result.number_of_planes = table.number_of_planes;
+  result.number_of_omitted_planes = table.number_of_omitted_planes;
   result.number_of_points = table.number_of_points;
   return result;
 }

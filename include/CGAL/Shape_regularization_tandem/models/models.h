@@ -8,6 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
+#include <CGAL/Shape_regularization_tandem/models/Model_progress.h>
 #include <CGAL/Shape_regularization_tandem/models/Shape_facts.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/result/Shapes_data.h>
@@ -28,7 +29,8 @@ namespace outlines {
 // The outlines of shapes, with empty entries for those that have no points. Outlines that are not regular are straightened
 // only.
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      bool are_regular = true);
+                                                      bool are_regular = true,
+                                                      const Model_progress& progress = Model_progress());
 
 } // namespace outlines
 
@@ -41,13 +43,18 @@ struct Surface_table {
   std::vector<int> plane_of_face;
   std::vector<double> supported_of_face;
   double supported = 0;
-  std::size_t number_of_planes = 0, number_of_points = 0;
+  std::size_t number_of_planes = 0, number_of_omitted_planes = 0, number_of_points = 0;
 };
 
-// Of at most this number of planes that have points, and of components; 0: of those that are not small.
+// What closed_surface() is asked for.
+struct Surface_request {
+  std::size_t most_planes, most_components;
+  internal::Vector up; // of length 1
+  Callback callback;
+};
+
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      std::size_t most_planes, const internal::Vector& up,
-                                                      std::size_t most_components);
+                                                      const Surface_request& request);
 
 } // namespace surface
 

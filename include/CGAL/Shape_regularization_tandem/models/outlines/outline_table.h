@@ -57,15 +57,15 @@ inline Shape_points points_of_shape(const std::vector<Position>& points, const S
 
 class Polygon_maker {
 public:
-  Polygon_maker(const std::vector<Position>& points, const Shapes& shapes)
-    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()),
+  Polygon_maker(const std::vector<Position>& points, const Shapes& shapes, const Model_progress& progress)
+    : shapes(shapes), progress(progress), unit(points, shapes), n(shapes.number_of_shapes()),
       resolution(2 * unit.in(shapes.parameters().maximum_distance)), all(n), triangulations(n)
   {
     for(std::size_t s : shapes.distinct_planes())
       planes.push_back(unit.in(shapes.coefficients(s)));
     for(std::size_t s = 0; s < n; ++s)
       projections.emplace_back(plane_of(s));
-    for_each_in_parallel(n, [&](std::size_t s) {
+    for_each_in_parallel(n, progress, [&](std::size_t s) {
       all[s] = points_of_shape(points, shapes, unit, s);
       triangulations[s] = std::make_unique<Outline_triangulation>(all[s].flat, resolution);
       all[s].spacing = triangulations[s]->spacings();
@@ -77,7 +77,7 @@ public:
   {
     draw_borders();
     is_framed.resize(n);
-    for_each_in_parallel(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
+    for_each_in_parallel(n, progress, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
     if(are_regular) {
       make_regular();
       share_vertices();
@@ -93,9 +93,9 @@ private:
     std::vector<Border_pieces> pieces(n);
     borders.resize(n);
     drafts.resize(n);
-    for_each_in_parallel(n, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
+    for_each_in_parallel(n, progress, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
     join_common_ends(pieces);
-    for_each_in_parallel(n, [&](std::size_t s) {
+    for_each_in_parallel(n, progress, [&](std::size_t s) {
       for(const Border_piece& piece : pieces[s]) {
         borders[s].borders.push_back(finder.border_of(s, piece));
         drafts[s].lines.push_back(piece.line);
@@ -131,9 +131,9 @@ private:
     const Plane_directions directions(shapes);
     std::vector<std::vector<Wanted_end>> wanted(n);
     std::vector<std::vector<Kernel::Vector_2>> along(n); // what edges may be parallel to
-    for_each_in_parallel(n, [&](std::size_t s) { along[s] = directions.of_shape(s, all[s].frame); });
+    for_each_in_parallel(n, progress, [&](std::size_t s) { along[s] = directions.of_shape(s, all[s].frame); });
     add_own_directions(shapes, drafts, is_framed, along);
-    for_each_in_parallel(n, [&](std::size_t s) {
+    for_each_in_parallel(n, progress, [&](std::size_t s) {
       if(is_framed[s])
         wanted[s] = wanted_ends(s, along[s]);
     });
@@ -145,7 +145,7 @@ private:
     }
     moved.decide(
       [&](const Border_line& line, double along) { return position_on(line, line.origin + along * line.direction); });
-    for_each_in_parallel(n, [&](std::size_t s) {
+    for_each_in_parallel(n, progress, [&](std::size_t s) {
       if(is_framed[s])
         make_regular(s, along[s], moved);
     });
@@ -217,12 +217,12 @@ private:
 
   void share_vertices()
   {
-    for_each_in_parallel(n, [&](std::size_t s) { find_edges_on_lines(s); });
+    for_each_in_parallel(n, progress, [&](std::size_t s) { find_edges_on_lines(s); });
     Common_vertices apart(drafts);
     apart.join();
-    for_each_in_parallel(n, [&](std::size_t s) { join_vertices(s, apart); });
+    for_each_in_parallel(n, progress, [&](std::size_t s) { join_vertices(s, apart); });
     const Common_vertices common(drafts);
-    for_each_in_parallel(n, [&](std::size_t s) {
+    for_each_in_parallel(n, progress, [&](std::size_t s) {
       const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
       drafts[s].change([&](const Outline_loop& loop) { return common.longer(drafts[s], loop, vertex); });
     });
@@ -295,6 +295,7 @@ private:
   }
 
   const Shapes& shapes;
+  const Model_progress& progress;
   Unit unit;
   std::size_t n;
   double resolution; // places are known no better along a plane than across it: to both sides
@@ -335,16 +336,17 @@ inline Polygon_table with_orientations_of(const std::vector<Coefficients>& plane
 }
 
 // Of shapes with points.
-inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data, bool are_regular)
+inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data, bool are_regular,
+                                       const Model_progress& progress)
 {
   const Shapes shapes(with_positive_normals(data));
-  return with_orientations_of(data.coefficients, Polygon_maker(points, shapes).polygons(are_regular));
+  return with_orientations_of(data.coefficients, Polygon_maker(points, shapes, progress).polygons(are_regular));
 }
 
 // Known planes may have no points.
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      bool are_regular)
+                                                      bool are_regular, const Model_progress& progress)
 {
   std::vector<std::size_t> source;
   std::vector<int> number(data.size.size(), -1);
@@ -354,8 +356,8 @@ CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position
       source.push_back(s);
     }
   if(source.size() == number.size())
-    return table_of_outlines(points, data, are_regular);
-  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular);
+    return table_of_outlines(points, data, are_regular, progress);
+  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular, progress);
   for(std::size_t s = 0; s < number.size(); ++s)
     if(number[s] < 0) {
       const auto place = std::ptrdiff_t(s);

@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELL_CUTTER_H
 
+#include <CGAL/Shape_regularization_tandem/models/Model_progress.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <CGAL/Bbox_3.h>
@@ -73,6 +74,9 @@ inline double extent_of(const CGAL::Bbox_3& box)
 {
   return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
+
+// Places in a box that are closer are one.
+inline double resolution_of(const CGAL::Bbox_3& box) { return 1e-7 * extent_of(box); }
 
 // The ends of an edge, in any direction.
 using Edge = std::pair<int, int>;
@@ -376,12 +380,17 @@ private:
 // --- The cells of a box that planes cut: each plane cuts those that the hull of its points meets or is close to. So their
 // number grows about linearly with that of the planes, and gaps between shapes are bridged.
 
-inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box, double resolution)
+// Ends early with that number of cells.
+inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box, std::size_t most_cells,
+                       const Model_progress& progress)
 {
-  const double reach = .05 * extent_of(box); // of the planes beyond their points
-  Cell_cutter cutter(box, resolution);
+  Cell_cutter cutter(box, resolution_of(box));
   for(const Plane_coverage& plane : planes) {
     const int number = cutter.add_plane(plane.plane());
+    progress.check(double(number) / double(planes.size()));
+    if(cutter.number_of_cells() >= most_cells)
+      break;
+    const double reach = (std::min)(2 * extent_of(plane.box(0)), .05 * extent_of(box)); // beyond its points
     const CGAL::Bbox_3 near = plane.box(reach);
     for(int c = int(cutter.number_of_cells()) - 1; c >= 0; --c) {
       if(!CGAL::do_overlap(near, cutter.box(c)))

@@ -114,13 +114,14 @@ inline void cover(const Cells& cells, const Plane_coverage& plane, const std::ve
   }
 }
 
-inline std::vector<Covered_facet> cover_facets(const Cells& cells, const std::vector<Plane_coverage>& planes)
+inline std::vector<Covered_facet> cover_facets(const Cells& cells, const std::vector<Plane_coverage>& planes,
+                                               const Model_progress& progress)
 {
   std::vector<Covered_facet> facets;
   for(const Facet& facet : cells.facets)
     facets.push_back({area_of(cells.corners(facet)), {}, {}});
   const std::vector<std::vector<std::size_t>> of_plane = cells.facets_of_planes(planes.size());
-  for_each_in_parallel(planes.size(), [&](std::size_t p) { cover(cells, planes[p], of_plane[p], facets); });
+  for_each_in_parallel(planes.size(), progress, [&](std::size_t p) { cover(cells, planes[p], of_plane[p], facets); });
   return facets;
 }
 
@@ -134,13 +135,14 @@ public:
   std::vector<double> boundary;        // of each facet between a cell that is inside and one that is not
   std::vector<double> area, scanned;   // of each facet, and how much of it points cover
 
-  Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
+  Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up,
+              const Model_progress& progress)
     : inside(cells.cells.size(), 0), outside(cells.cells.size(), 0)
   {
-    const std::vector<Covered_facet> covered = cover_facets(cells, planes);
+    const std::vector<Covered_facet> covered = cover_facets(cells, planes, progress);
     const Ray_votes rays(planes, up);
     std::vector<double> votes(cells.facets.size());
-    for_each_in_parallel(votes.size(), [&](std::size_t f) {
+    for_each_in_parallel(votes.size(), progress, [&](std::size_t f) {
       const Facet& facet = cells.facets[f];
       if(facet.plane != none)
         votes[f] = vote(covered[f], normal_of(cells.corners(facet)), std::size_t(facet.plane), rays);

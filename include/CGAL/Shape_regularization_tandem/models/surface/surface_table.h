@@ -38,7 +38,8 @@ public:
   {}
 
   // Below the borders of these polygons, each of which has a plane of its own, from long ones to short ones.
-  void add(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes)
+  void add(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes,
+           const Model_progress& progress)
   {
     std::vector<Border> borders;
     for(std::size_t s = 0; s < polygons.polygons.size(); ++s)
@@ -47,7 +48,6 @@ public:
           add_borders(polygons, polygon, planes[s], borders);
     std::stable_sort(borders.begin(), borders.end(),
                      [](const Border& a, const Border& b) { return a.length > b.length; });
-    borders.resize((std::min)(borders.size(), most_borders));
     std::vector<Plane_coverage> with_walls = planes_;
     for(const Border& border : borders) {
       with_walls.push_back(plane_of(border));
@@ -55,14 +55,13 @@ public:
     }
     const Ray_votes rays(with_walls, up_);
     std::vector<double> ratios(borders.size());
-    for_each_in_parallel(borders.size(), [&](std::size_t w) {
+    for_each_in_parallel(borders.size(), progress, [&](std::size_t w) {
       const std::size_t plane = planes_.size() + w;
       ratios[w] = std::fabs(rays.balance(places_on(borders[w]), with_walls[plane].normal(), plane));
     });
-    const std::size_t most = planes_.size() + most_planes;
     for(std::size_t w = 0; w < borders.size(); ++w)
       if(ratios[w] > least_ratio)
-        add_wall(borders[w], most);
+        add_wall(borders[w]);
   }
 
 private:
@@ -165,24 +164,19 @@ private:
   }
 
   // In a plane that is there, or in a new one.
-  void add_wall(const Border& border, std::size_t most)
+  void add_wall(const Border& border)
   {
     auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
       return is_upright(p.plane()) && std::all_of(border.wall.begin(), border.wall.end(),
                                                   [&](const Point& corner) { return is_near(p.plane(), corner); });
     });
-    if(plane == planes_.end()) {
-      if(planes_.size() == most)
-        return;
+    if(plane == planes_.end())
       plane = planes_.insert(planes_.end(), plane_of(border));
-    }
     plane->reach(border.wall);
     plane->assume(border.wall);
   }
 
-  static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
-  static constexpr std::size_t most_planes = 200;   // that are new
-  static constexpr double shortest_wall = 5;        // times the distance within which two places are one
+  static constexpr double shortest_wall = 5; // times the distance within which two places are one
   static constexpr double least_ratio = .25; // of rays: they say nothing of a border within a room or below a roof
 
   std::vector<Plane_coverage>& planes_;
@@ -200,6 +194,7 @@ struct Surface_input {
   outlines::Unit unit;
   std::vector<Plane_coverage> planes;
   std::vector<int> groups; // the coplanar groups of the planes that have points, which come first
+  std::size_t omitted = 0; // further planes, with fewer points
   CGAL::Bbox_3 box;        // of the points, and somewhat around them
 
   // At most `most` planes that have points.
@@ -217,11 +212,13 @@ struct Surface_input {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return of_group[a].size() > of_group[b].size(); });
     for(std::size_t g : order) {
-      if(planes.size() == most || of_group[g].empty())
-        break;
       Plane_coverage plane(unit.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]));
       if(!plane.has_area())
         continue;
+      if(planes.size() == most) {
+        ++omitted;
+        continue;
+      }
       for(const Point& p : plane.points())
         box += p.bbox();
       planes.push_back(std::move(plane));
@@ -231,7 +228,8 @@ struct Surface_input {
   }
 
   // These outlines of the shapes, and walls below their borders.
-  void add_outlines(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up)
+  void add_outlines(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up,
+                    const Model_progress& progress)
   {
     for(Position& p : polygons.points)
       for(double& x : p)
@@ -249,7 +247,7 @@ struct Surface_input {
             planes[std::size_t(p)].cover({outlines::point_at(polygons.points[t[0]]),
                                           outlines::point_at(polygons.points[t[1]]),
                                           outlines::point_at(polygons.points[t[2]])});
-    Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
+    Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes, progress);
   }
 
   // The coplanar group of a plane; none if it has no points, or is a face of the box.
@@ -261,30 +259,36 @@ struct Surface_input {
 
 // Of the planes, where these faces are.
 inline std::size_t number_of_points(const Cells& cells, const std::vector<Face>& faces,
-                                    const std::vector<Plane_coverage>& planes)
+                                    const std::vector<Plane_coverage>& planes, const Model_progress& progress)
 {
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
   std::vector<std::vector<int>> facets_of(planes.size());
   for(const Face& face : faces)
     if(face.plane != none)
       facets_of[std::size_t(face.plane)].insert(facets_of[std::size_t(face.plane)].end(), face.facets.begin(),
                                                 face.facets.end());
   std::vector<std::size_t> numbers(planes.size());
-  for_each_in_parallel(planes.size(), [&](std::size_t p) {
+  for_each_in_parallel(planes.size(), progress, [&](std::size_t p) {
     std::vector<Flat_polygon> facets;
-    std::vector<CGAL::Bbox_2> boxes;
+    Flat_polygon flat;
+    std::vector<Box> facet_boxes, point_boxes;
     for(int f : facets_of[p]) {
       facets.push_back(planes[p].flat(cells.corners(cells.facet(f))));
-      boxes.push_back(CGAL::bbox_2(facets.back().begin(), facets.back().end()));
+      facet_boxes.emplace_back(CGAL::bbox_2(facets.back().begin(), facets.back().end()), facet_boxes.size());
     }
     for(const Point& point : planes[p].points()) {
-      const Kernel::Point_2 flat = planes[p].flat(point);
-      for(std::size_t i = 0; i < facets.size(); ++i)
-        if(CGAL::do_overlap(boxes[i], flat.bbox()) &&
-           CGAL::bounded_side_2(facets[i].begin(), facets[i].end(), flat) != CGAL::ON_UNBOUNDED_SIDE) {
-          ++numbers[p];
-          break;
-        }
+      flat.push_back(planes[p].flat(point));
+      point_boxes.emplace_back(flat.back().bbox(), point_boxes.size());
     }
+    std::vector<char> is_near(flat.size(), 0);
+    CGAL::box_intersection_d(
+      facet_boxes.begin(), facet_boxes.end(), point_boxes.begin(), point_boxes.end(), [&](const Box& f, const Box& q) {
+        const Flat_polygon& facet = facets[f.info()];
+        if(is_near[q.info()] == 0 &&
+           CGAL::bounded_side_2(facet.begin(), facet.end(), flat[q.info()]) != CGAL::ON_UNBOUNDED_SIDE)
+          is_near[q.info()] = 1;
+      });
+    numbers[p] = std::size_t(std::count(is_near.begin(), is_near.end(), 1));
   });
   return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
 }
@@ -317,26 +321,53 @@ inline void refuse_crossing_faces(const std::vector<Point>& points, const Surfac
     " (-1: no group). Without the points of one of them there may be a surface");
 }
 
+// Planes, and the cells of their box. Of cells that are too many, half of the planes makes fewer.
+struct Surface_cells {
+  Surface_input input;
+  Cells cells;
+};
+
+inline Surface_cells surface_cells(const std::vector<Position>& points, const outlines::Shapes& shapes,
+                                   const outlines::Polygon_table& polygons, const Surface_request& request,
+                                   Model_progress& progress)
+{
+  constexpr std::size_t most_cells = 400000;
+  const Vector up(request.up.x, request.up.y, request.up.z);
+  for(std::size_t most = request.most_planes;;) {
+    Surface_input input(points, shapes, most);
+    input.add_outlines(polygons, shapes, up, progress);
+    if(input.planes.size() < Surface_input::fewest_planes)
+      return {std::move(input), Cells()};
+    progress.begin_stage(.4);
+    Cells cells = cut_cells(input.planes, input.box, most_cells, progress);
+    if(cells.cells.size() < most_cells || input.groups.size() <= Surface_input::fewest_planes)
+      return {std::move(input), std::move(cells)};
+    most = input.groups.size() / 2;
+  }
+}
+
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      std::size_t most_planes, const internal::Vector& upward,
-                                                      std::size_t most_components)
-{
-  const Vector up(upward.x, upward.y, upward.z);
+                                                      const Surface_request& request)
+try {
+  Model_progress progress(request.callback);
+  progress.begin_stage(.3);
   const outlines::Shapes shapes(data);
-  Surface_input input(points, shapes, most_planes);
-  input.add_outlines(outlines::outline_table(points, data), shapes, up);
+  const auto [input, cells] =
+    surface_cells(points, shapes, outlines::outline_table(points, data, true, progress), request, progress);
   Surface_table result;
   result.number_of_planes = input.groups.size();
-  if(input.planes.size() < Surface_input::fewest_planes)
+  result.number_of_omitted_planes = input.omitted;
+  if(cells.cells.empty())
     return result;
-  const double resolution = 1e-7 * extent_of(input.box);
-  const Cells cells = cut_cells(input.planes, input.box, resolution);
-  const Inside_cost cost(cells, input.planes, up);
+  progress.begin_stage(.8);
+  const Inside_cost cost(cells, input.planes, {request.up.x, request.up.y, request.up.z}, progress);
+  progress.begin_stage(.9);
   const Inside_cells inside(cells, cost);
   const std::vector<Face> faces =
-    faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, most_components);
-  result.number_of_points = number_of_points(cells, faces, input.planes);
+    faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, request.most_components);
+  progress.begin_stage(1);
+  result.number_of_points = number_of_points(cells, faces, input.planes, progress);
   std::map<int, std::size_t> number;
   std::vector<Point> corners;
   Areas whole;
@@ -359,6 +390,8 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   for(const Point& p : corners)
     result.points.push_back(input.unit.out(Position{p.x(), p.y(), p.z()}));
   return result;
+} catch(const Model_progress::Cancelled&) {
+  return Surface_table();
 }
 
 } // namespace CGAL::Tandem::internal::surface
