@@ -11,7 +11,6 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdio>
@@ -30,10 +29,9 @@ int main(int argc, char* argv[])
     points, np::point_map(Point_map()).normal_map(Normal_map()).maximum_distance(argc > 2 ? std::stod(argv[2]) : .05));
   const auto surface = CGAL::Tandem::closed_surface(shapes, points, np::point_map(Point_map()));
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
-  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.faces, mesh);
+  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
   std::printf("%zu corners, %zu faces in %zu planes, closed: %d\n", surface.points.size(), surface.faces.size(),
               surface.number_of_planes, int(CGAL::is_closed(mesh)));
-  PMP::triangulate_faces(mesh);
   std::printf("volume: %.1f\n", PMP::volume(mesh));
   return surface.is_empty() ? 1 : 0;
 }

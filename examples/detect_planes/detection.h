@@ -7,10 +7,11 @@
 #ifndef DETECT_PLANES_DETECTION_H
 #define DETECT_PLANES_DETECTION_H
 
+#include "../cloud_warnings.h"
 #include "check_options.h"
 #include "input/read_cloud.h"
 #include "output/writers.h"
-#include "warnings.h"
+#include "ranks/Processes.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -400,8 +401,18 @@ try {
   return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
                                    : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
 } catch(const CGAL::Tandem::Parameter_error& e) {
-  const Cloud_box own = box_of(points, Processes());
+  const tandem_examples::Cloud_box own = tandem_examples::box_of(points.points(), Processes());
   throw_error(option_message(e, o), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+}
+
+// Of the whole run, on all ranks.
+inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                             const Processes& processes, const Tolerance_facts& tolerance)
+{
+  const tandem_examples::Asked_shapes asked = {tolerance.mean, o.maximum_distance && !tolerance.is_of_each_point,
+                                               "--tolerance-column, --noise", o.planes_from};
+  return tandem_examples::cloud_warnings(
+    points.points(), shapes, asked, [&] { return CGAL::Tandem::estimate_noise(points); }, processes);
 }
 
 } // namespace program

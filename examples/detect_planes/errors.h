@@ -7,13 +7,13 @@
 #ifndef DETECT_PLANES_ERRORS_H
 #define DETECT_PLANES_ERRORS_H
 
+#include "../sentences.h"
+
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -22,20 +22,8 @@ namespace program {
 // Bad usage: exit code 2. Every other exception is exit code 1. The library makes them alike on all processes.
 using Usage_error = std::invalid_argument;
 
-template <class... Words>
-std::string text_of(const Words&... words)
-{
-  std::ostringstream text;
-  (text << ... << words);
-  return text.str();
-}
-
-// With figures, of which four digits tell enough.
-template <class... Words>
-std::string sentence(const Words&... words)
-{
-  return text_of(std::setprecision(4), words...);
-}
+using tandem_examples::sentence;
+using tandem_examples::text_of;
 
 // Why the system failed, in brackets, for the end of a message.
 inline std::string reason_of(int error) { return std::string(" (") + std::strerror(error != 0 ? error : EIO) + ")"; }

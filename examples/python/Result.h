@@ -12,6 +12,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -62,17 +63,35 @@ private:
   std::optional<Rows> estimated_normals_;
 };
 
-// A read-only array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
+// An array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
 template <class As, class Item>
-py::array view(const py::object& owner, const Item* data, std::size_t items, py::ssize_t columns = 0)
+py::array array_on(const py::object& owner, const Item* data, std::size_t items, py::ssize_t columns = 0)
 {
   static_assert(sizeof(Item) % sizeof(As) == 0, "the array has the same memory");
   const auto size = py::ssize_t(items * (sizeof(Item) / sizeof(As)));
   const std::vector<py::ssize_t> shape =
     columns > 0 ? std::vector<py::ssize_t>{size / columns, columns} : std::vector<py::ssize_t>{size};
-  py::array array(py::dtype::of<As>(), shape, data, owner);
+  return py::array(py::dtype::of<As>(), shape, data, owner);
+}
+
+// To be read only.
+template <class As, class Item>
+py::array view(const py::object& owner, const Item* data, std::size_t items, py::ssize_t columns = 0)
+{
+  py::array array = array_on<As>(owner, data, items, columns);
   array.attr("setflags")(py::arg("write") = false);
   return array;
+}
+
+// Takes the memory of a table of numbers or points.
+template <class Item>
+py::array taken(std::vector<Item>& table, py::ssize_t columns = 0)
+{
+  using Number = std::conditional_t<std::is_integral_v<Item>, Item, double>;
+  auto kept = std::make_unique<std::vector<Item>>(std::move(table));
+  const py::capsule owner(kept.get(), [](void* items) { delete static_cast<std::vector<Item>*>(items); });
+  const std::vector<Item>& items = *kept.release();
+  return array_on<Number>(owner, items.data(), items.size(), columns);
 }
 
 // A property that is a view of a table.
@@ -291,15 +310,19 @@ py::array array_by_shape(const Result& result, const F& number_of)
   return array;
 }
 
-// Other threads of Python run meanwhile. The array of points is the caller's, who may have changed it.
-inline std::vector<CGAL::Tandem::Shape_facts> facts_of(const Result& result)
+// f(points), where these are of the detection. Other threads of Python run meanwhile. The array of points is the caller's,
+// who may have changed it.
+template <class F>
+auto with_points(const Result& result, const F& f)
 {
   const Cloud cloud = {result.given().points->data(), nullptr, nullptr, result.shapes().number_of_points()};
   const py::gil_scoped_release no_gil;
   try {
-    return shape_facts(cloud, result.shapes());
+    return f(cloud);
+  } catch(const CGAL::Tandem::Parameter_error&) {
+    throw;
   } catch(const std::invalid_argument& e) {
-    throw std::invalid_argument("points were changed after the detection, and table() measures them. " +
+    throw std::invalid_argument("points were changed after the detection, and this function measures them. " +
                                 std::string(e.what()));
   }
 }
@@ -312,7 +335,8 @@ inline py::dict table(const Result& result)
     dict[py::str(name)] = array_by_shape(result, number_of);
   };
   add("shape", [](std::size_t s) { return s; });
-  tandem_examples::for_each_shape_column(result.shapes(), facts_of(result), add);
+  const auto facts = with_points(result, [&](const Cloud& points) { return shape_facts(points, result.shapes()); });
+  tandem_examples::for_each_shape_column(result.shapes(), facts, add);
   return dict;
 }
 
@@ -348,7 +372,7 @@ inline void add_table(Class& result)
 // ---
 
 // Objects of the class come from functions of the module only. Python would make them without a value, by __new__() of
-// the class or, where that is refused, of its base. Copies and unpickled objects begin like that, too.
+// the class or, where that is refused, of its base.
 template <class Type>
 void refuse_new(Type& type)
 {

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../cloud_warnings.h"
 #include "detection.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
@@ -13,6 +14,8 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
+#include <boost/iterator/transform_iterator.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -94,20 +97,60 @@ Shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& 
   return detect_with<CGAL::Sequential_tag>(cloud, s, callback);
 }
 
-} // namespace
-
 // A limit on the threads holds for this call only. It does not move to another thread, where signals would not be seen.
-Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& callback)
+template <class F>
+auto with_threads(const Settings& s, const F& f)
 {
   [[maybe_unused]] const long long threads = above_zero("threads", s.threads, 0LL);
 #ifdef CGAL_LINKED_WITH_TBB
   if(threads > 0) {
     const int most = tbb::this_task_arena::max_concurrency();
     tbb::task_arena arena(threads < most ? int(threads) : most);
-    return arena.execute([&] { return detect_on_backend(cloud, s, callback); });
+    return arena.execute(f);
   }
 #endif
-  return detect_on_backend(cloud, s, callback);
+  return f();
+}
+
+double mean_tolerance(const Cloud& cloud, double maximum_distance)
+{
+  if(cloud.tolerances == nullptr)
+    return maximum_distance;
+  double sum = 0;
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < cloud.size; ++i)
+    if(cloud.tolerances[i] > 0) {
+      sum += (std::min)(cloud.tolerances[i], maximum_distance);
+      ++count;
+    }
+  return count > 0 ? sum / double(count) : 0;
+}
+
+// Has all points.
+struct One_process {
+  double largest(double own) const { return own; }
+  std::vector<long long> sums(const std::vector<long long>& own) const { return own; }
+};
+
+} // namespace
+
+Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& callback)
+{
+  return with_threads(s, [&] { return detect_on_backend(cloud, s, callback); });
+}
+
+std::vector<std::string> warnings(const Cloud& cloud, const Settings& s, const Shapes& shapes)
+{
+  const auto point = [map = Point_map{cloud.points}](std::size_t i) { return get(map, i); };
+  const auto points = CGAL::make_range(boost::make_transform_iterator(Row(0), point),
+                                       boost::make_transform_iterator(Row(cloud.size), point));
+  const tandem_examples::Asked_shapes asked = {mean_tolerance(cloud, shapes.parameters().maximum_distance),
+                                               s.maximum_distance && cloud.tolerances == nullptr,
+                                               "maximum_distance_map", ""};
+  const auto noise = [&] {
+    return with_maps(cloud, [&](const auto& maps) { return CGAL::Tandem::estimate_noise(rows_of(cloud), maps); });
+  };
+  return with_threads(s, [&] { return tandem_examples::cloud_warnings(points, shapes, asked, noise, One_process()); });
 }
 
 Parameters estimate_parameters(const Cloud& cloud)

@@ -62,6 +62,25 @@ struct Labeling {
   Cloud shape_points; // of the detection; null: planes have no end
 };
 
+// --- Models as arrays have them: positions of three vertices for each triangle, and runs of one array after the other,
+// with the place where each run starts and, at the end, where a next one would.
+
+using Indices = std::vector<std::int32_t>;
+
+// The loops of a polygon are a run of loops, a loop is a run of vertices.
+struct Polygon_tables {
+  std::vector<Kernel::Point_3> vertices;
+  Indices triangles, triangle_shape, loop_vertices, loop_starts = {0}, polygon_starts = {0}, polygon_shape;
+};
+
+struct Surface_tables {
+  std::vector<Kernel::Point_3> vertices;
+  Indices triangles, triangle_face, face_vertices, face_starts = {0}, face_plane;
+  std::vector<double> face_supported;
+  double supported = 0;
+  std::size_t number_of_points = 0, number_of_planes = 0;
+};
+
 // --- Clouds as ranges with property maps
 
 // The points of a cloud are the numbers of its rows ...
@@ -112,6 +131,10 @@ auto with_all_maps(const Cloud& cloud, const F& f)
 // An exception of the callback ends the detection and is passed on.
 Shapes detect_planes(const Cloud& cloud, const Settings& settings, const CGAL::Tandem::Callback& callback);
 
+// What is wrong with the cloud or the shapes that were detected in it: a sentence each, in which parameters have the names
+// of options of the program.
+std::vector<std::string> warnings(const Cloud& cloud, const Settings& settings, const Shapes& shapes);
+
 CGAL::Tandem::Parameters estimate_parameters(const Cloud& cloud);
 
 // One for each point, NaN for those that are not valid.
@@ -121,8 +144,15 @@ std::vector<double> estimate_local_distances(const Cloud& cloud);
 CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::int32_t* labels,
                                                 const Settings& settings, std::vector<Coefficients>& planes);
 
-// Of each shape, from the points that it was detected in. Throws std::invalid_argument where these have changed.
+// Of each shape, from the points that it was detected in. This and the next ones throw std::invalid_argument where these
+// have changed.
 std::vector<CGAL::Tandem::Shape_facts> shape_facts(const Cloud& cloud, const Shapes& shapes);
+
+Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_each_plane);
+
+// Upward is the direction of the detection, if none is given.
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::optional<long long> planes,
+                              std::optional<long long> components, std::optional<std::array<double, 3>> upward);
 
 // Empty if the shapes have all that is guaranteed.
 std::string find_violation(const Cloud& cloud, const Shapes& shapes);

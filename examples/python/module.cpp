@@ -5,6 +5,7 @@
 // come here are contiguous and of the right type.
 
 #include "Result.h"
+#include "pickling.h"
 
 #include <CGAL/Tandem/Parameters.h>
 
@@ -54,6 +55,13 @@ Result detect(const Rows& points, const Given& given, const Settings& settings, 
   Given all = given;
   all.points = points;
   return Result(without_gil([&] { return detect_planes(cloud, settings, callback); }), all);
+}
+
+std::vector<std::string> warnings_of(const Rows& points, const Given& given, const Settings& settings,
+                                     const Result& result)
+{
+  const Cloud cloud = cloud_of(points, given);
+  return without_gil([&] { return warnings(cloud, settings, result.shapes()); });
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
@@ -113,8 +121,8 @@ Result select(const Result& result, const std::vector<long long>& indices)
 
 Result select_by(const Result& result, const Selection& selection)
 {
-  const Cloud cloud = cloud_of(*result.given().points, {});
-  return Result(without_gil([&] { return select_shapes(result.shapes(), cloud, selection); }), result.given());
+  const auto select = [&](const Cloud& points) { return select_shapes(result.shapes(), points, selection); };
+  return Result(with_points(result, select), result.given());
 }
 
 py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling)
@@ -124,6 +132,43 @@ py::array_t<std::int32_t> label(const Result& result, const Rows& points, const 
     labeling.shape_points = cloud_of(*result.given().points, {});
   return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
 }
+
+// --- Models: the items of named tuples, in their order.
+
+py::tuple polygon_arrays(const Result& result, bool one_for_each_plane)
+{
+  Polygon_tables t =
+    with_points(result, [&](const Cloud& points) { return polygons(points, result.shapes(), one_for_each_plane); });
+  return py::make_tuple(taken(t.vertices, 3), taken(t.triangles, 3), taken(t.triangle_shape), taken(t.loop_vertices),
+                        taken(t.loop_starts), taken(t.polygon_starts), taken(t.polygon_shape));
+}
+
+py::tuple surface_arrays(const Result& result, std::optional<long long> planes, std::optional<long long> components,
+                         std::optional<std::array<double, 3>> upward)
+{
+  Surface_tables t = with_points(
+    result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), planes, components, upward); });
+  return py::make_tuple(taken(t.vertices, 3), taken(t.triangles, 3), taken(t.triangle_face), taken(t.face_vertices),
+                        taken(t.face_starts), taken(t.face_plane), taken(t.face_supported), t.supported,
+                        t.number_of_points, t.number_of_planes);
+}
+
+// --- Pickling: what makes a result of itself again.
+
+py::tuple state_of(const Result& result)
+{
+  const Given& given = result.given();
+  return py::make_tuple(py::bytes(bytes_of(result.shapes())), *given.points, given.normals, given.tolerances,
+                        given.zeros);
+}
+
+Result result_of(const py::bytes& bytes, const Rows& points, const std::optional<Rows>& normals,
+                 const std::optional<Rows>& tolerances, std::size_t zeros)
+{
+  return Result(shapes_of(std::string(bytes), std::size_t(points.shape(0))), {normals, tolerances, zeros, points});
+}
+
+// ---
 
 // A class of the arguments of functions that have many, and the function that makes them.
 template <class Arguments>
@@ -151,6 +196,8 @@ void add_selection(py::module_& module)
   module.def("select_shapes", &select);
   module.def("select_shapes_by", &select_by);
   module.def("label_points", &label);
+  module.def("polygons", &polygon_arrays);
+  module.def("closed_surface", &surface_arrays);
 }
 
 void add_settings(py::module_& module)
@@ -212,6 +259,9 @@ PYBIND11_MODULE(_tandem, module)
   add_result(module);
   add_selection(module);
   module.def("detect_planes", &detect);
+  module.def("warnings", &warnings_of);
+  module.def("state_of", &state_of);
+  module.def("result_of", &result_of);
   module.def("estimate_parameters", &estimate);
   module.def("estimate_local_distances", &estimate_local);
   module.def("regularize_planes", &regularize);

@@ -5,7 +5,6 @@
 
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
-#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
 #include <algorithm>
 

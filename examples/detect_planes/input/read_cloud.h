@@ -198,9 +198,6 @@ inline void check_no_attributes(const Input_settings& settings, const std::strin
     throw_error(what, " have no '", settings.tolerance, "', which --tolerance-column names");
 }
 
-// Of degrees in place of lengths.
-constexpr const char* advice_on_degrees = "first project such coordinates, for example to UTM";
-
 // How a LAS file describes its coordinate system.
 enum class Projection { none, geotiff, wkt };
 

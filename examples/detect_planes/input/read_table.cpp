@@ -3,6 +3,7 @@
 //
 // Text tables: what stands before the points, what the columns are, and the points.
 
+#include "../cloud_warnings.h"
 #include "input/readers.h"
 
 namespace program {
@@ -478,7 +479,7 @@ void read_table(Byte_source& file, const std::string& extension, const Input_set
                            names_of(head.columns) + (head.counts_rows ? " (the first counts the rows)" : ""));
   if(head.is_geographic)
     notes.warnings.push_back("x and y are columns of longitude and latitude: planes need lengths, so " +
-                             std::string(advice_on_degrees));
+                             std::string(tandem_examples::advice_on_degrees));
 }
 
 } // namespace program

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
+#include "../cloud_warnings.h"
 #include "messages.h"
 #include "output/write_results.h"
 
@@ -18,38 +19,7 @@
 
 namespace program {
 
-// --- Why points are in no shape, in words, and the option that would change it.
-
-struct Free_reason {
-  std::size_t points;
-  const char* name;   // they are ...
-  const char* advice; // what to change
-};
-
-// Those that points have, the most frequent first.
-inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
-{
-  const CGAL::Tandem::Free_points& f = s.free_points;
-  std::vector<Free_reason> reasons = {
-    {f.without_normal, "without a normal",
-     "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
-     "smaller --maximum-distance"},
-    {f.misfit, "just beyond the tolerances of a shape",
-     "a larger --maximum-distance or --maximum-angle adds more of them"},
-    {f.without_neighbors, "alone",
-     "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
-    {f.in_small_regions, "in small regions",
-     s.line_spacing > 0 ? "a smaller --minimum-region-size adds more of them, but a face needs points of two scan lines"
-                        : "a smaller --minimum-region-size adds more of them"},
-    {f.clutter, "in clutter",
-     "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
-    {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
-  std::stable_sort(reasons.begin(), reasons.end(),
-                   [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
-  while(!reasons.empty() && reasons.back().points == 0)
-    reasons.pop_back();
-  return reasons;
-}
+using tandem_examples::Free_reason;
 
 // The ratios of all points, and what to change. Of many free points, which nobody expects, all frequent reasons are
 // told.
@@ -58,7 +28,7 @@ inline std::string free_text(const CGAL::Tandem::Statistics& s)
   std::ostringstream text;
   text << std::setprecision(3);
   const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
-  const std::vector<Free_reason> reasons = free_reasons(s);
+  const std::vector<Free_reason> reasons = tandem_examples::free_reasons(s);
   if(reasons.empty())
     return "none";
   text << percent(s.free_points.total()) << " %: ";

@@ -14,6 +14,8 @@ the program detect_planes.
 
 from __future__ import annotations
 
+import re
+import warnings
 from typing import Callable, List, NamedTuple, Optional, Tuple
 
 import numpy as np
@@ -22,14 +24,19 @@ import numpy.typing as npt
 from . import _tandem
 from ._arguments import (_count, _direction, _directions, _labels, _normals, _number, _points, _rows, _set, _switch,
                          _tolerances)
+from ._models import ClosedSurface, Polygons
 from ._selection import _check_result, label_points, select_shapes
 from ._tandem import ParameterError, PlanarShapes, __version__
 
-__all__ = ["EstimatedParameters", "ParameterError", "PlanarShapes", "PlaneRelations", "__version__", "backends",
-           "detect_planes", "estimate_local_distances", "estimate_parameters", "find_violation", "label_points",
-           "regularize_planes", "select_shapes"]
+__all__ = ["ClosedSurface", "EstimatedParameters", "ParameterError", "PlanarShapes", "PlaneRelations", "Polygons",
+           "TandemWarning", "__version__", "backends", "detect_planes", "estimate_local_distances", "estimate_parameters",
+           "find_violation", "label_points", "regularize_planes", "select_shapes"]
 
 Progress = Callable[[float], Optional[bool]]
+
+
+class TandemWarning(UserWarning):
+    """Something is wrong with a cloud or its shapes: the text says what, and which argument to change."""
 
 
 class EstimatedParameters(NamedTuple):
@@ -129,6 +136,9 @@ def detect_planes(
 
     Returns PlanarShapes.
 
+    Warns with TandemWarning of coordinates that are rounded or look like degrees, of points at 0 0 0, of no shapes or few
+    points in shapes, and of a maximum_distance or an angle that does not fit; not if progress has cancelled.
+
     Raises ParameterError, a ValueError with the texts name, value and range, for a value outside of its range, or an
     extent of the points of more than 2^24 times maximum_distance; ValueError, which names the argument, for an array of
     wrong shape or type, or too many points; TypeError for an argument that is no number; MemoryError; RuntimeError for a
@@ -149,7 +159,11 @@ def detect_planes(
     _set(settings, _direction, symmetry_direction=symmetry_direction)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be a function, not {type(progress).__name__}")
-    return _tandem.detect_planes(rows, given, settings, progress)
+    shapes = _tandem.detect_planes(rows, given, settings, progress)
+    for text in [] if shapes.is_cancelled else _tandem.warnings(rows, given, settings, shapes):
+        text = re.sub("--([a-z-]+)", lambda option: option[1].replace("-", "_"), text)
+        warnings.warn(text, TandemWarning, stacklevel=2)
+    return shapes
 
 
 def estimate_parameters(

@@ -6,7 +6,14 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
+from ._models import ClosedSurface, Polygons
+
 __version__: str
+
+class ParameterError(ValueError):
+    name: str
+    value: str
+    range: str
 
 class PlanarShapes:
     @property
@@ -43,6 +50,14 @@ class PlanarShapes:
     def hash(self) -> int: ...
     def table(self) -> Dict[str, npt.NDArray[Any]]: ...
     def points_of(self, shape: int) -> npt.NDArray[np.uint32]: ...
+    def polygons(self, one_for_each_plane: bool = False) -> Polygons: ...
+    def closed_surface(
+        self,
+        *,
+        maximum_number_of_planes: Optional[int] = None,
+        maximum_number_of_components: Optional[int] = None,
+        symmetry_direction: Optional[npt.ArrayLike] = None,
+    ) -> ClosedSurface: ...
     def __len__(self) -> int: ...
 
 class Settings:
@@ -89,6 +104,9 @@ def detect_planes(
     settings: Settings,
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> PlanarShapes: ...
+def warnings(
+    points: npt.NDArray[np.float64], given: Given, settings: Settings, shapes: PlanarShapes
+) -> List[str]: ...
 def estimate_parameters(
     points: npt.NDArray[np.float64], normals: Optional[npt.NDArray[np.float64]]
 ) -> Tuple[float, float, int]: ...
@@ -108,5 +126,20 @@ def select_shapes_by(shapes: PlanarShapes, selection: Selection) -> PlanarShapes
 def label_points(
     shapes: PlanarShapes, points: npt.NDArray[np.float64], given: Given, labeling: Labeling
 ) -> npt.NDArray[np.int32]: ...
+def polygons(shapes: PlanarShapes, one_for_each_plane: bool) -> Tuple[Any, ...]: ...
+def closed_surface(
+    shapes: PlanarShapes,
+    planes: Optional[int],
+    components: Optional[int],
+    upward: Optional[Tuple[float, float, float]],
+) -> Tuple[Any, ...]: ...
+def state_of(shapes: PlanarShapes) -> Tuple[Any, ...]: ...
+def result_of(
+    bytes: bytes,
+    points: npt.NDArray[np.float64],
+    normals: Optional[npt.NDArray[np.float64]],
+    tolerances: Optional[npt.NDArray[np.float64]],
+    zeros: int,
+) -> PlanarShapes: ...
 def find_violation(points: npt.NDArray[np.float64], shapes: PlanarShapes) -> str: ...
 def backends() -> List[str]: ...

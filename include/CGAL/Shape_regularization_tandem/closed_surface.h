@@ -9,6 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -42,6 +43,11 @@ struct Closed_surface_3 {
   std::vector<double> supported_of_face;
   /// the same share of the area of all faces; 0 if there is none
   double supported = 0;
+  /// the triangles of all faces, in the order of the faces and without further corners: positions of their corners in
+  /// `points`, counterclockwise as seen from outside
+  std::vector<std::array<std::size_t, 3>> triangles;
+  /// the face of each triangle
+  std::vector<std::size_t> face_of_triangle;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
   /// the number of those that were not, which have fewer points
@@ -62,8 +68,8 @@ struct Closed_surface_3 {
 The planes cut the box of the points into cells, and a minimum cut chooses those that are inside. Walls that have no
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
 
-The surface is closed, oriented outward and a two-manifold, has triangulations of all faces, and does not cross itself:
-exact predicates have checked it. It has several components where there are several buildings. It is empty if the planes
+The surface is closed, oriented outward and a two-manifold, and does not cross itself: exact predicates have checked its
+triangles. It has several components where there are several buildings. It is empty if the planes
 enclose nothing, or if fewer than four planes, walls included, have an area. A corner within 10<sup>-7</sup> of the extent
 of the points from a plane is in that plane: so no edge is shorter, and faces are in their planes up to that. Corners are
 rounded to `FT` last: of a `Kernel` of `float` far from the origin, faces may touch or cross.
@@ -142,6 +148,8 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   result.plane_of_face = std::move(table.plane_of_face);
   result.supported_of_face = std::move(table.supported_of_face);
   result.supported = table.supported;
+  result.triangles = std::move(table.triangles);
+  result.face_of_triangle = std::move(table.face_of_triangle);
   result.number_of_planes = table.number_of_planes;
   result.number_of_omitted_planes = table.number_of_omitted_planes;
   result.number_of_points = table.number_of_points;

@@ -6,12 +6,12 @@
 
 #include "testing/checks.h"
 
+#include "../cloud_warnings.h"
 #include "messages.h"
 #include "output/Output_file.h"
 #include "program_options.h"
 #include "ranks/Processes.h"
 #include "view/write_points.h"
-#include "warnings.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -156,8 +156,8 @@ void check_ratio(std::size_t CGAL::Tandem::Statistics::*zeros)
     s.*zeros = 600;
     s.free_points.clutter = 250;
   }
-  CHECK(program::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
-  CHECK(program::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
+  CHECK(tandem_examples::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 600}) == 100. / 350);
+  CHECK(tandem_examples::ratio_in_shapes(s, {{5, 5, 5, 9, 9, 9}, 0}) == 100. / double(100 + s.free_points.clutter));
 }
 
 // Another rank has measured .25.
@@ -173,9 +173,9 @@ BOOST_AUTO_TEST_CASE(ratio_and_noise)
   for(auto zeros : {&Statistics::number_of_far_points, &Statistics::number_of_ignored_normals,
                     &Statistics::number_of_ignored_tolerances})
     check_ratio(zeros);
-  CHECK(program::smallest_noise([] { return .125; }, Two_ranks()) == .125);
+  CHECK(tandem_examples::smallest_noise([] { return .125; }, Two_ranks()) == .125);
   // It goes on, and takes part in what all ranks do.
-  CHECK(program::smallest_noise([]() -> double { throw std::bad_alloc(); }, Two_ranks()) == .25);
+  CHECK(tandem_examples::smallest_noise([]() -> double { throw std::bad_alloc(); }, Two_ranks()) == .25);
 }
 
 // --- The points of the page: one of every `stride` points of each shape, not always the same one, none twice.

@@ -156,7 +156,7 @@ CLOUDS = [
     # Coordinates that went through floats, or streams as they write by default
     (sensor_room(FAR), .02, ""), (as_floats(sensor_room(FAR)), 3, ""),
     (as_floats(sensor_room(FAR)), .02,
-     "rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.02: write doubles, or subtract an offset"),
+     "rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.02: use doubles, or subtract an offset"),
     (np.vectorize(lambda x: float(f"{x:.6g}"))(10 * sensor_room((69438.62, 51554.875, 380), 20000)), .1,
      "rounded, x in steps of 1, y in steps of 1, while .*more digits"),
     # Millimeters and copies on a grid are no rounded coordinates.

@@ -40,13 +40,15 @@ def test_other_threads_run_meanwhile():
     callers = [threading.Thread(target=lambda: hashes.append(detect(threads=2).hash)) for _ in range(3)]
     for thread in (clock, *callers):
         thread.start()
-    start = time.perf_counter()
-    tandem.detect_planes(*room(6000), backend="sequential")
-    end = time.perf_counter()
+    shapes, spans = shapes_of_room(), []
+    for call in (lambda: tandem.detect_planes(*room(6000), backend="sequential"), shapes.polygons, shapes.closed_surface):
+        start = time.perf_counter()
+        call()
+        spans.append((start, time.perf_counter()))
     is_over.set()
     for thread in (clock, *callers):
         thread.join()
-    assert sum(start < t < end for t in ticks) > 5 and hashes == 3 * [shapes_of_room().hash]
+    assert all(sum(start < t < end for t in ticks) > 5 for start, end in spans) and hashes == 3 * [shapes_of_room().hash]
 
 
 def test_it_rises_to_one_on_this_thread():

@@ -19,4 +19,4 @@ def test_installed(tmp_path):
                    check=True)
     subprocess.run([sys.executable, "-c", CHECK, tmp_path], check=True,
                    env={**os.environ, "PYTHONPATH": str(tmp_path / FOLDER), "PYTHONDONTWRITEBYTECODE": "1"})
-    assert len([path for path in tmp_path.rglob("*") if path.is_file()]) == 6
+    assert len([path for path in tmp_path.rglob("*") if path.is_file()]) == 7

@@ -11,6 +11,7 @@ import sys
 import numpy as np
 import pytest
 
+import tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
 ROOT = os.environ.get("TANDEM_SOURCES", os.path.join(os.path.dirname(__file__), "..", "..", ".."))
@@ -61,7 +62,7 @@ def test_same_result_as_the_program(path):
     np.savetxt(path("room.xyz"), rows, "%.17g")
     subprocess.run([PROGRAM, path("room.xyz"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
                     "--labels", path("labels"), "--planes", path("planes"),
-                    "--report", path("report"), "--shapes", path("shapes.csv")], check=True)
+                    "--report", path("report"), "--shapes", path("shapes.csv"), "--mesh", path("mesh.ply")], check=True)
     shapes = shapes_of_room()
     np.testing.assert_array_equal(np.fromfile(path("labels"), "<i4"), shapes.labels)
     np.testing.assert_array_equal(np.loadtxt(path("planes")), shapes.planes)
@@ -71,4 +72,26 @@ def test_same_result_as_the_program(path):
     assert written.dtype.names == tuple(table)
     for name, column in table.items():
         np.testing.assert_allclose(written[name], column, rtol=1e-12, atol=1e-12, err_msg=name)
+    with open(path("mesh.ply")) as file:
+        rows = [row.split() for row in file.read().split("end_header\n")[1].splitlines()]
+    surface, vertices, faces = shapes.closed_surface(), rows[:8], rows[8:]
+    np.testing.assert_array_equal(np.array(vertices, float), surface.vertices)
+    assert [int(corner) for face in faces for corner in face[1:-1]] == surface.face_vertices.tolist()
+    assert [float(face[-1]) for face in faces] == surface.face_supported.tolist()
+
+
+@pytest.mark.skipif(not PROGRAM, reason="the program detect_planes is not built")
+def test_same_warnings_as_the_program(path):
+    points = np.concatenate([room()[0] + (5e5, 4.5e6, 100), np.zeros((20, 3))]).astype(np.float32).astype(float)
+    np.savetxt(path("room.xyz"), points, "%.17g")
+    subprocess.run([PROGRAM, path("room.xyz"), "--maximum-distance", "0.01", "--maximum-angle", "0.9", "--quiet",
+                    "--report", path("report")], check=True)
+    with open(path("report")) as file:
+        expected = json.load(file)["warnings"]
+    with pytest.warns(tandem.TandemWarning) as caught:
+        tandem.detect_planes(points, maximum_distance=0.01, maximum_angle=0.9)
+    options = {"ignore_zeros": "--ignore-zeros", "maximum_distance": "--maximum-distance", "maximum_angle": "--maximum-angle",
+               "minimum_region_size": "--minimum-region-size"}
+    assert len(expected) >= 3
+    assert [re.sub("|".join(options), lambda name: options[name[0]], str(w.message)) for w in caught] == expected
 

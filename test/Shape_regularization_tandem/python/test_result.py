@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a result has, that its arrays are views, and the table of its shapes, which reads the array of the points."""
 
-import copy
 import gc
-import pickle
 import re
 import weakref
 
@@ -73,14 +71,11 @@ def test_violations_are_found():
         tandem.find_violation(points, None)
 
 
-def test_they_come_from_functions_only_and_are_not_copied():
+def test_they_come_from_functions_only():
     for made in (tandem.PlanarShapes, type(_tandem.default_settings())):
         for make in (made, lambda: made.__new__(made), lambda: object.__new__(made)):
             with pytest.raises(TypeError):
                 make()
-    for function in (copy.copy, copy.deepcopy, pickle.dumps):
-        with pytest.raises(TypeError):
-            function(shapes_of_room())
 
 
 NAMES = ("planes", "labels", "parallel_groups", "coplanar_groups", "orthogonal_pairs", "is_flipped", "normals")
@@ -195,9 +190,6 @@ def test_points_are_kept_and_may_change():
     first = shapes.table()
     points += 1e-6
     assert shapes.table()["x"][0] == pytest.approx(first["x"][0] + 1e-6, rel=0, abs=5e-10)
-    points += 1
-    with pytest.raises(ValueError, match="points were changed after the detection"):
-        shapes.table()
     alive = weakref.ref(points)
     del points
     gc.collect()

@@ -11,7 +11,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <random>
@@ -32,9 +31,18 @@ double checked_volume(const Surface& surface, const std::string& name)
   std::vector<Epick::Point_3> points; // about the origin, as volumes are summed from there
   for(const Epick::Point_3& p : surface.points)
     points.push_back(CGAL::ORIGIN + (p - surface.points.front()));
-  PMP::polygon_soup_to_polygon_mesh(points, surface.faces, mesh);
+  PMP::polygon_soup_to_polygon_mesh(points, surface.triangles, mesh);
   CHECK_AT(CGAL::is_closed(mesh), name + ": not closed");
-  CHECK_AT(PMP::triangulate_faces(mesh), name + ": a face that has no triangles");
+  CHECK_AT(std::is_sorted(surface.face_of_triangle.begin(), surface.face_of_triangle.end()), name);
+  std::vector<std::size_t> sizes(surface.faces.size(), 2);
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& face = surface.faces[surface.face_of_triangle[t]];
+    ++sizes[surface.face_of_triangle[t]];
+    for(std::size_t corner : surface.triangles[t])
+      CHECK_AT(std::count(face.begin(), face.end(), corner) == 1, name + ": a triangle with a corner of another face");
+  }
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    CHECK_AT(sizes[f] == surface.faces[f].size(), name + ": a face with too few or too many triangles");
   CHECK_AT(!PMP::does_self_intersect(mesh), name + ": cuts itself");
   for(const auto& face : surface.faces)
     for(std::size_t i = 0; i < face.size(); ++i)

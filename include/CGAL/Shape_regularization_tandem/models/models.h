@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/result/Shapes_data.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct Surface_table {
   std::vector<std::vector<std::size_t>> faces;
   std::vector<int> plane_of_face;
   std::vector<double> supported_of_face;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::size_t> face_of_triangle;
   double supported = 0;
   std::size_t number_of_planes = 0, number_of_omitted_planes = 0, number_of_points = 0;
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a surface crosses itself, as its coordinates are written: decided by exact predicates.
+// The triangles of a surface, and whether it crosses itself, as its coordinates are written: decided by exact predicates.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CROSSING_FACES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CROSSING_FACES_H
@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -39,10 +40,17 @@ private:
   std::size_t of_face_ = 0;
 };
 
-// Pairs of faces of a closed two-manifold that have more than their corners and edges in common; a face twice that has no
-// triangulation.
-inline std::vector<std::pair<std::size_t, std::size_t>>
-crossing_faces(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& faces)
+// The triangles of all faces, face by face, and pairs of faces that have more than their corners and edges in common; a
+// face twice that has no triangulation.
+struct Checked_triangles {
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::size_t> face_of_triangle;
+  std::vector<std::pair<std::size_t, std::size_t>> crossing_faces;
+};
+
+// Of a closed two-manifold.
+inline Checked_triangles checked_triangles(const std::vector<Point>& points,
+                                           const std::vector<std::vector<std::size_t>>& faces)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   Surface_mesh mesh;
@@ -51,17 +59,23 @@ crossing_faces(const std::vector<Point>& points, const std::vector<std::vector<s
   for(const auto f : mesh.faces())
     number[f] = std::size_t(f);
   PMP::triangulate_faces(mesh, CGAL::parameters::visitor(Keep_face(number)));
-  std::vector<std::pair<std::size_t, std::size_t>> result;
-  for(const auto f : mesh.faces())
+  std::vector<Keep_face::Face_index> by_face(mesh.faces().begin(), mesh.faces().end());
+  std::stable_sort(by_face.begin(), by_face.end(), [&](auto f, auto g) { return number[f] < number[g]; });
+  Checked_triangles result;
+  for(const auto f : by_face) {
     if(mesh.degree(f) != 3 || PMP::is_degenerate_triangle_face(f, mesh))
-      result.emplace_back(number[f], number[f]);
-  if(!result.empty())
+      result.crossing_faces.emplace_back(number[f], number[f]);
+    const auto h = mesh.halfedge(f);
+    result.triangles.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
+    result.face_of_triangle.push_back(number[f]);
+  }
+  if(!result.crossing_faces.empty())
     return result;
   std::vector<std::pair<Keep_face::Face_index, Keep_face::Face_index>> crossing;
   PMP::self_intersections(mesh, std::back_inserter(crossing));
   for(const auto& [f, g] : crossing)
-    result.emplace_back((std::min)(number[f], number[g]), (std::max)(number[f], number[g]));
-  std::sort(result.begin(), result.end());
+    result.crossing_faces.emplace_back((std::min)(number[f], number[g]), (std::max)(number[f], number[g]));
+  std::sort(result.crossing_faces.begin(), result.crossing_faces.end());
   return result;
 }
 

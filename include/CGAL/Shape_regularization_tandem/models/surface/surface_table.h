@@ -308,12 +308,14 @@ inline Areas areas_of(const Face& face, const Inside_cost& cost)
 }
 
 // Planes that are closer than rounding allows may cross where they should meet.
-inline void refuse_crossing_faces(const std::vector<Point>& points, const Surface_table& table)
+inline void add_triangles(const std::vector<Point>& points, Surface_table& table)
 {
-  const auto crossing = crossing_faces(points, table.faces);
-  if(crossing.empty())
+  Checked_triangles checked = checked_triangles(points, table.faces);
+  table.triangles = std::move(checked.triangles);
+  table.face_of_triangle = std::move(checked.face_of_triangle);
+  if(checked.crossing_faces.empty())
     return;
-  const auto [f, g] = crossing.front();
+  const auto [f, g] = checked.crossing_faces.front();
   throw std::runtime_error(
     "CGAL::Tandem: a closed surface would cross itself, as the coordinates of its corners are rounded: faces of "
     "the coplanar groups " +
@@ -386,7 +388,7 @@ try {
     }
   }
   result.supported = faces.empty() ? 0 : whole.scanned / whole.all;
-  refuse_crossing_faces(corners, result);
+  add_triangles(corners, result);
   for(const Point& p : corners)
     result.points.push_back(input.unit.out(Position{p.x(), p.y(), p.z()}));
   return result;

@@ -1,19 +1,29 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a cloud or its result, as far as the figures tell: a sentence each, with what to do.
+// What is wrong with a cloud or its result, as far as the figures tell: a sentence each, with what to do. Parameters have
+// the names of the options of the program.
 
-#ifndef DETECT_PLANES_WARNINGS_H
-#define DETECT_PLANES_WARNINGS_H
+#ifndef TANDEM_EXAMPLES_CLOUD_WARNINGS_H
+#define TANDEM_EXAMPLES_CLOUD_WARNINGS_H
 
-#include "output/report.h"
-#include "ranks/Processes.h"
+#include "sentences.h"
 
-#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Statistics.h>
 
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <new>
+#include <optional>
+#include <string>
+#include <vector>
 
-namespace program {
+namespace tandem_examples {
 
 // --- The steps that coordinates come in, where digits of them were lost.
 
@@ -29,7 +39,17 @@ struct Coordinate_steps {
   bool are_floats = false;                   // all that are found are those of floats
 };
 
-inline bool is_measured(const Kernel::Point_3& p) { return is_finite(p) && !is_zero(p); }
+template <class Point>
+bool is_at_zero(const Point& p)
+{
+  return p.x() == 0 && p.y() == 0 && p.z() == 0;
+}
+
+template <class Point>
+bool is_measured(const Point& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()) && !is_at_zero(p);
+}
 
 // The largest power of two of which x is a multiple; x is not 0.
 inline double unit_of(double x)
@@ -45,18 +65,19 @@ inline double unit_of(double x)
 
 // The step of floats, where all coordinates are some and have no finer step than the largest of them has; 0 if that
 // is not above `least`. Integers and rasters have larger ones.
-inline double step_of_floats(const Point_set& points, int axis, double least, const Processes& processes)
+template <class Points, class Processes>
+double step_of_floats(const Points& points, int axis, double least, const Processes& processes)
 {
   double step = std::numeric_limits<double>::infinity(), largest = 0;
   std::optional<double> first;
   for(auto i = points.begin(); i != points.end() && step > 0; ++i) {
-    if(!is_measured(points.point(*i)))
+    if(!is_measured(*i))
       continue;
-    const double x = points.point(*i)[axis];
+    const double x = (*i)[axis];
     first = first.value_or(x);
     if(x != *first)
       step = (std::min)(step, unit_of(x - *first));
-    if(!fits_float(x) || step <= least)
+    if(double(float(x)) != x || step <= least)
       step = 0;
     largest = (std::max)(largest, std::fabs(x));
   }
@@ -103,7 +124,8 @@ inline std::size_t points_in_cell(const std::array<std::vector<double>, 3>& valu
 }
 
 // Steps above `least`: those of floats, and others where points lie closer to each other than that.
-inline Coordinate_steps find_steps(const Point_set& points, double least, const Processes& processes)
+template <class Points, class Processes>
+Coordinate_steps find_steps(const Points& points, double least, const Processes& processes)
 {
   Coordinate_steps steps;
   for(int c = 0; c < 3; ++c)
@@ -113,8 +135,8 @@ inline Coordinate_steps find_steps(const Point_set& points, double least, const 
     return steps;
   std::array<std::vector<double>, 3> values;
   for(auto i = points.begin(); i != points.end() && values[0].size() < sampled_for_steps; ++i)
-    for(int c = 0; c < 3 && is_measured(points.point(*i)); ++c)
-      values[std::size_t(c)].push_back(points.point(*i)[c]);
+    for(int c = 0; c < 3 && is_measured(*i); ++c)
+      values[std::size_t(c)].push_back((*i)[c]);
   for(std::size_t c = 0; c < 3; ++c) {
     std::vector<double> sorted = values[c];
     remove_copies(sorted);
@@ -136,30 +158,34 @@ constexpr double smallest_height_in_degrees = 100;
 // Steps that are a larger fraction of the tolerance of points cut surfaces into strips.
 constexpr double largest_step_in_tolerance = .25;
 
+// Of degrees in place of lengths.
+constexpr const char* advice_on_degrees = "first project such coordinates, for example to UTM";
+
 // The points of all ranks that are finite and not at 0 0 0, and the number of those at 0 0 0.
 struct Cloud_box {
-  Box box;
+  CGAL::Bbox_3 box;
   long long zeros = 0;
 
   double side(int c) const { return box.max(c) - box.min(c); }
   double extent() const { return (std::max)({side(0), side(1), side(2)}); }
 };
 
-inline Cloud_box box_of(const Point_set& points, const Processes& processes)
+template <class Points, class Processes>
+Cloud_box box_of(const Points& points, const Processes& processes)
 {
-  Box own;
+  CGAL::Bbox_3 own;
   long long zeros = 0;
-  for(Point_set::Index i : points)
-    if(is_zero(points.point(i)))
+  for(const auto& p : points)
+    if(is_at_zero(p))
       ++zeros;
-    else if(is_finite(points.point(i)))
-      own += points.point(i).bbox();
+    else if(is_measured(p))
+      own += p.bbox();
   std::array<double, 6> sides;
   for(int c = 0; c < 3; ++c) {
     sides[std::size_t(c)] = -processes.largest(-own.min(c));
     sides[std::size_t(c) + 3] = processes.largest(own.max(c));
   }
-  return {Box(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]), processes.sums({zeros})[0]};
+  return {CGAL::Bbox_3(sides[0], sides[1], sides[2], sides[3], sides[4], sides[5]), processes.sums({zeros})[0]};
 }
 
 inline bool are_zeros_strange(const Cloud_box& box)
@@ -185,7 +211,8 @@ inline bool look_like_degrees(const Cloud_box& box)
          box.side(2) > smallest_height_in_degrees * side;
 }
 
-inline std::string warning_of_steps(const Point_set& points, double tolerance, const Processes& processes)
+template <class Points, class Processes>
+std::string warning_of_steps(const Points& points, double tolerance, const Processes& processes)
 {
   const Coordinate_steps steps = find_steps(points, largest_step_in_tolerance * tolerance, processes);
   std::string axes;
@@ -196,8 +223,41 @@ inline std::string warning_of_steps(const Point_set& points, double tolerance, c
     return {};
   return sentence("the coordinates are rounded, ", axes, ", while the tolerance of points is ", tolerance,
                   steps.are_floats
-                    ? ": write doubles, or subtract an offset before they become floats, which have 24 bits"
-                    : ": write more digits");
+                    ? ": use doubles, or subtract an offset before they become floats, which have 24 bits"
+                    : ": use more digits");
+}
+
+// --- Why points are in no shape, in words, and the option that would change it.
+
+struct Free_reason {
+  std::size_t points;
+  const char* name;   // they are ...
+  const char* advice; // what to change
+};
+
+// Those that points have, the most frequent first.
+inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
+{
+  const CGAL::Tandem::Free_points& f = s.free_points;
+  std::vector<Free_reason> reasons = {
+    {f.without_normal, "without a normal",
+     "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
+     "smaller --maximum-distance"},
+    {f.misfit, "just beyond the tolerances of a shape",
+     "a larger --maximum-distance or --maximum-angle adds more of them"},
+    {f.without_neighbors, "alone",
+     "they are outliers, or --maximum-distance or --maximum-angle is too small for their noise"},
+    {f.in_small_regions, "in small regions",
+     s.line_spacing > 0 ? "a smaller --minimum-region-size adds more of them, but a face needs points of two scan lines"
+                        : "a smaller --minimum-region-size adds more of them"},
+    {f.clutter, "in clutter",
+     "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
+    {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
+  while(!reasons.empty() && reasons.back().points == 0)
+    reasons.pop_back();
+  return reasons;
 }
 
 // --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
@@ -221,7 +281,7 @@ inline double ratio_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box
 
 // measure(): the noise of the own points. The smallest of the ranks, infinite where there is no memory to measure it, as
 // the shapes are worth more, and where all points are one.
-template <class Measure>
+template <class Measure, class Processes>
 double smallest_noise(const Measure& measure, const Processes& processes)
 {
   double own = 0;
@@ -232,12 +292,13 @@ double smallest_noise(const Measure& measure, const Processes& processes)
   return -processes.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
-inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
+inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p,
+                             const char* tolerances)
 {
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
   if(points == 0 && s.number_of_ignored_tolerances > 0)
     return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,
-                    " points has a positive tolerance (--tolerance-column, --noise)");
+                    " points has a positive tolerance (", tolerances, ')');
   if(points < p.minimum_region_size)
     return sentence("no shape was found: the number of points is ", points, ", but a shape has at least ",
                     p.minimum_region_size, " (--minimum-region-size)");
@@ -256,9 +317,19 @@ inline std::string why_poor(const CGAL::Tandem::Statistics& s)
                   percent(reason.points), " % are ", reason.name, ": ", reason.advice);
 }
 
-// Of the whole run, on all ranks. Some of them may be empty.
-inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                             const Processes& processes, const Tolerance_facts& tolerance)
+// How a caller has asked for the shapes.
+struct Asked_shapes {
+  double mean_tolerance = 0;      // of the points; 0: no point has one
+  bool is_distance_given = false; // one for all points
+  const char* tolerances = "";    // what gives each point its own
+  std::string planes_from = {};   // where known planes are from, which are the shapes
+};
+
+// Of the points and shapes of all ranks, some of which may have no points. The function measures the noise of the own
+// points.
+template <class Points, class Shapes, class Measure, class Processes>
+std::vector<std::string> cloud_warnings(const Points& points, const Shapes& shapes, const Asked_shapes& asked,
+                                        const Measure& noise_of_points, const Processes& processes)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
@@ -270,22 +341,21 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
   if(look_like_degrees(box))
     warnings.push_back(sentence("the coordinates look like degrees of longitude and latitude (x, y and z extend over ",
                                 box.side(0), ", ", box.side(1), " and ", box.side(2), "): ", advice_on_degrees));
-  if(tolerance.mean > 0)
-    warnings.push_back(warning_of_steps(points, tolerance.mean, processes));
+  if(asked.mean_tolerance > 0)
+    warnings.push_back(warning_of_steps(points, asked.mean_tolerance, processes));
   // The noise is infinite where planes explain the points, which need not be measured then. Estimates cover it.
   const bool is_thin =
     s.number_of_shapes > 0 && s.coverage >= poor_coverage && s.mean_distance < full_fraction * p.maximum_distance;
-  const auto measure = [&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); };
-  const bool is_distance_given = o.maximum_distance && !tolerance.is_of_each_point;
-  const double noise = is_distance_given ? smallest_noise(measure, processes) : 0;
+  const auto measure = [&] { return is_thin || points.size() == 0 ? 0. : noise_of_points(); };
+  const double noise = asked.is_distance_given ? smallest_noise(measure, processes) : 0;
   const bool is_poor = ratio_in_shapes(s, box) < poor_coverage;
-  if(!o.known_planes.empty() && (is_poor || s.number_of_assigned_points == 0))
+  if(!asked.planes_from.empty() && (is_poor || s.number_of_assigned_points == 0))
     warnings.push_back(sentence("only ", 100 * s.coverage, " % of the points are within the tolerances of a plane of ",
-                                o.planes_from,
+                                asked.planes_from,
                                 ": a larger --maximum-distance or --maximum-angle adds more points, or the planes "
                                 "belong to another cloud"));
   else if(s.number_of_shapes == 0)
-    warnings.push_back(why_empty(s, p));
+    warnings.push_back(why_empty(s, p, asked.tolerances));
   else if(is_poor && s.number_of_rounds > 0)
     warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_distance_per_extent * extent)
@@ -297,9 +367,10 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
   warnings.push_back(s.angle_note);
+  warnings.erase(std::remove(warnings.begin(), warnings.end(), ""), warnings.end());
   return warnings;
 }
 
-} // namespace program
+} // namespace tandem_examples
 
-#endif // DETECT_PLANES_WARNINGS_H
+#endif // TANDEM_EXAMPLES_CLOUD_WARNINGS_H

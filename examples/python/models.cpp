@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "detection.h"
+
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace tandem_python {
+
+namespace {
+
+template <class Range>
+void append(const Range& numbers, Indices& to)
+{
+  for(auto number : numbers)
+    to.push_back(std::int32_t(number));
+}
+
+// A run of numbers, and where the next one starts.
+template <class Range>
+void append_run(const Range& numbers, Indices& to, Indices& starts)
+{
+  append(numbers, to);
+  starts.push_back(std::int32_t(to.size()));
+}
+
+// Numbers beyond those of int are as good as the last ones.
+int number_of(const std::optional<long long>& given, int otherwise)
+{
+  using Limits = std::numeric_limits<int>;
+  return given ? int((std::max)(Limits::min() + 0LL, (std::min)(*given, Limits::max() + 0LL))) : otherwise;
+}
+
+} // namespace
+
+Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_each_plane)
+{
+  const auto areas = CGAL::Tandem::polygons(
+    shapes, rows_of(cloud), np::point_map(Point_map{cloud.points}).one_for_each_plane(one_for_each_plane));
+  Polygon_tables result;
+  result.vertices = areas.points();
+  for(std::size_t i = 0; i < areas.number_of_entries(); ++i)
+    for(const CGAL::Tandem::Indexed_polygon& polygon : areas.polygons(i)) {
+      append_run(polygon.outer, result.loop_vertices, result.loop_starts);
+      for(const auto& hole : polygon.holes)
+        append_run(hole, result.loop_vertices, result.loop_starts);
+      result.polygon_starts.push_back(std::int32_t(result.loop_starts.size() - 1));
+      result.polygon_shape.push_back(std::int32_t(i));
+      for(const auto& triangle : polygon.triangles)
+        append(triangle, result.triangles);
+      result.triangle_shape.resize(result.triangles.size() / 3, std::int32_t(i));
+    }
+  return result;
+}
+
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::optional<long long> planes,
+                              std::optional<long long> components, std::optional<std::array<double, 3>> upward)
+{
+  const std::array<double, 3> up = upward.value_or(shapes.parameters().symmetry_direction);
+  auto surface = CGAL::Tandem::closed_surface(shapes, rows_of(cloud),
+                                              np::point_map(Point_map{cloud.points})
+                                                .maximum_number_of_planes(number_of(planes, 200))
+                                                .maximum_number_of_components(number_of(components, 0))
+                                                .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  Surface_tables result;
+  result.vertices = std::move(surface.points);
+  for(const auto& triangle : surface.triangles)
+    append(triangle, result.triangles);
+  append(surface.face_of_triangle, result.triangle_face);
+  for(const auto& face : surface.faces)
+    append_run(face, result.face_vertices, result.face_starts);
+  append(surface.plane_of_face, result.face_plane);
+  result.face_supported = std::move(surface.supported_of_face);
+  result.supported = surface.supported;
+  result.number_of_points = surface.number_of_points;
+  result.number_of_planes = surface.number_of_planes;
+  return result;
+}
+
+} // namespace tandem_python
