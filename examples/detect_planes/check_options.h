@@ -329,12 +329,13 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(o.mesh_seconds && o.mesh.empty(), "--mesh-seconds needs --mesh");
   refuse_if(o.mesh_components && o.mesh.empty(), "--mesh-components needs --mesh");
   check_count("mesh-components", o.mesh_components, 1, 1000000);
-  check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, 1LL << 31);
+  check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, (std::numeric_limits<int>::max)());
   check_count("largest", o.largest, 1, 1LL << 31);
   refuse_if(!detects && has_library_normals,
             "--planes-from with --estimate-normals needs a number K of neighbors: --estimate-normals K");
   refuse_if(!detects && o.backend == "cuda",
             "--backend is 'cuda', but --planes-from detects nothing: pass only one of them");
+  check_positive("mesh-seconds", o.mesh_seconds);
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);

@@ -78,7 +78,7 @@ struct Surface_tables {
   Indices triangles, triangle_face, face_vertices, face_starts = {0}, face_plane;
   std::vector<double> face_supported;
   double supported = 0;
-  std::size_t number_of_points = 0, number_of_planes = 0;
+  std::size_t number_of_points = 0, number_of_planes = 0, number_of_omitted_planes = 0;
 };
 
 // --- Clouds as ranges with property maps

@@ -61,11 +61,12 @@ Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::opt
                               std::optional<long long> components, std::optional<std::array<double, 3>> upward)
 {
   const std::array<double, 3> up = upward.value_or(shapes.parameters().symmetry_direction);
-  auto surface = CGAL::Tandem::closed_surface(shapes, rows_of(cloud),
-                                              np::point_map(Point_map{cloud.points})
-                                                .maximum_number_of_planes(number_of(planes, 200))
-                                                .maximum_number_of_components(number_of(components, 0))
-                                                .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  auto surface =
+    CGAL::Tandem::closed_surface(shapes, rows_of(cloud),
+                                 np::point_map(Point_map{cloud.points})
+                                   .maximum_number_of_planes(number_of(planes, (std::numeric_limits<int>::max)()))
+                                   .maximum_number_of_components(number_of(components, 0))
+                                   .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
   Surface_tables result;
   result.vertices = std::move(surface.points);
   for(const auto& triangle : surface.triangles)
@@ -78,6 +79,7 @@ Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::opt
   result.supported = surface.supported;
   result.number_of_points = surface.number_of_points;
   result.number_of_planes = surface.number_of_planes;
+  result.number_of_omitted_planes = surface.number_of_omitted_planes;
   return result;
 }
 

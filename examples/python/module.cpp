@@ -150,7 +150,7 @@ py::tuple surface_arrays(const Result& result, std::optional<long long> planes, 
     result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), planes, components, upward); });
   return py::make_tuple(taken(t.vertices, 3), taken(t.triangles, 3), taken(t.triangle_face), taken(t.face_vertices),
                         taken(t.face_starts), taken(t.face_plane), taken(t.face_supported), t.supported,
-                        t.number_of_points, t.number_of_planes);
+                        t.number_of_points, t.number_of_planes, t.number_of_omitted_planes);
 }
 
 // --- Pickling: what makes a result of itself again.

@@ -47,6 +47,7 @@ class ClosedSurface(NamedTuple):
     supported: float  #: the same share of the area of all faces
     number_of_points: int  #: the points of shapes whose plane is the surface where they are
     number_of_planes: int  #: the distinct planes that were considered
+    number_of_omitted_planes: int  #: those that were not, which have fewer points
 
 
 def polygons(self: PlanarShapes, one_for_each_plane: bool = False) -> Polygons:
@@ -78,7 +79,7 @@ def closed_surface(
 
     Arguments
         maximum_number_of_planes      how many distinct planes may bound the surface, those with most points, at least 4;
-                                      None: 200
+                                      None: all, if they do not cut the box of the points into more than 400,000 cells
         maximum_number_of_components  how many components the surface may have, those with the largest areas; None or 0:
                                       all that have at least a hundredth of the area of the largest
         symmetry_direction            three numbers: the direction upward; None: that of detect_planes(), or z

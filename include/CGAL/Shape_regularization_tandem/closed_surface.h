@@ -10,6 +10,10 @@
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 #include <array>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -18,6 +22,39 @@
 #include <vector>
 
 namespace CGAL::Tandem {
+
+namespace internal {
+
+template <class Height>
+double finite_height(const Height& height)
+{
+  const double result = CGAL::to_double(height);
+  if(!std::isfinite(result))
+    throw_out_of_range("base_height", result, "finite");
+  return result;
+}
+
+// The outer boundary of a polygon with holes, and the holes. The coordinates are x and y of points.
+template <class Polygon>
+std::vector<surface::Flat_polygon> rings_of(const Polygon& polygon, const Vector& up)
+{
+  if(up.x != 0 || up.y != 0 || !(up.z > 0))
+    throw std::invalid_argument("CGAL::Tandem: a footprint is seen along z, so symmetry_direction must be (0, 0, 1)");
+  std::vector<surface::Flat_polygon> result;
+  const auto add = [&result](const auto& ring) {
+    result.emplace_back();
+    for(const auto& p : ring)
+      result.back().emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    if(!CGAL::is_simple_2(result.back().begin(), result.back().end()) || result.back().size() < 3)
+      throw std::invalid_argument("CGAL::Tandem: a boundary of the footprint is no simple polygon");
+  };
+  add(polygon.outer_boundary());
+  for(const auto& hole : polygon.holes())
+    add(hole);
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -109,6 +146,19 @@ threads and every order of the points.
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
   \cgalParamNEnd
+  \cgalParamNBegin{base_height}
+    \cgalParamDescription{the height of the ground in the direction upward, in units of the points: nothing below it is
+    inside, and walls without points go down to it. So roofs alone enclose volumes}
+    \cgalParamType{`GeomTraits::FT`, finite}
+    \cgalParamDefault{not known: walls without points end at the lowest shape below; with a footprint, the lowest point of
+    shapes in it}
+  \cgalParamNEnd
+  \cgalParamNBegin{footprint}
+    \cgalParamDescription{a polygon with holes, of which x and y are those of points: the surface is of the points in it,
+    nothing else is inside, and its edges are walls}
+    \cgalParamType{a `CGAL::Polygon_with_holes_2` of any kernel, with simple boundaries. The direction upward must be z.}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread. By
     returning `false` it cancels the work, and the surface is empty. What it throws reaches the caller.}
@@ -118,10 +168,12 @@ threads and every order of the points.
 
 \return the surface, empty if there is none
 
-\throw Parameter_error fewer than four planes or fewer than no components are asked for, or the direction is null or not finite
+\throw Parameter_error fewer than four planes or fewer than no components are asked for, the base is not finite, or the
+direction is null or not finite
 \throw std::runtime_error the surface would cross itself as its corners are rounded; `what()` tells of which planes
 \throw std::invalid_argument the number of points is not that of the detection, or a point of a shape is not finite or
-farther from its plane than `maximum_distance`
+farther from its plane than `maximum_distance`; or a footprint has a boundary that crosses itself, or a direction upward
+other than z
 \throw std::logic_error the points are distributed over several processes (`Mpi_tag`)
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -138,9 +190,13 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
     internal::throw_out_of_range("maximum_number_of_components", components, "at least 0");
   const internal::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  auto table = internal::surface::surface_table(
-    coordinates, shapes.data(),
-    {std::size_t(most), std::size_t(components), up, internal::parameter<internal_np::callback_t>(np, Callback())});
+  internal::surface::Surface_request request = {std::size_t(most), std::size_t(components), up, {}, {}, {}};
+  if constexpr(internal::Is_given<internal_np::base_height_t, NamedParameters>::value)
+    request.base_height = internal::finite_height(internal::parameter<internal_np::base_height_t>(np, 0));
+  if constexpr(internal::Is_given<internal_np::footprint_t, NamedParameters>::value)
+    request.footprint = internal::rings_of(internal::parameter<internal_np::footprint_t>(np, 0), up);
+  request.callback = internal::parameter<internal_np::callback_t>(np, Callback());
+  auto table = internal::surface::surface_table(coordinates, shapes.data(), request);
   Closed_surface_3<GeomTraits> result;
   for(const internal::Position& p : table.points)
     result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));

@@ -13,8 +13,10 @@
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/result/Shapes_data.h>
 
-#include <array>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #ifdef CGAL_TANDEM_USE_MODELS
@@ -37,6 +39,8 @@ CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position
 
 namespace surface {
 
+using Flat_polygon = std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2>;
+
 // See Closed_surface_3.
 struct Surface_table {
   std::vector<Position> points;
@@ -53,6 +57,8 @@ struct Surface_table {
 struct Surface_request {
   std::size_t most_planes, most_components;
   internal::Vector up; // of length 1
+  std::optional<double> base_height;
+  std::vector<Flat_polygon> footprint; // its outer boundary and its holes, or nothing
   Callback callback;
 };
 

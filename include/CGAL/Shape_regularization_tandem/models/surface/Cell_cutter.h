@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <array>
@@ -48,6 +49,16 @@ struct Cells {
       if(facets[f].plane != none)
         result[std::size_t(facets[f].plane)].push_back(f);
     return result;
+  }
+
+  // Within a cell.
+  Point middle(int cell) const
+  {
+    std::vector<Point> corners;
+    for(int f : facets_of(cell))
+      for(int v : facet(f).vertices)
+        corners.push_back(points[std::size_t(v)]);
+    return CGAL::centroid(corners.begin(), corners.end(), CGAL::Dimension_tag<0>());
   }
 
   std::vector<Point> corners(const Facet& facet) const

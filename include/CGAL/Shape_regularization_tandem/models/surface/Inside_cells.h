@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Ray_votes.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Site.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
@@ -135,12 +136,12 @@ public:
   std::vector<double> boundary;        // of each facet between a cell that is inside and one that is not
   std::vector<double> area, scanned;   // of each facet, and how much of it points cover
 
-  Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up,
+  Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Site& site,
               const Model_progress& progress)
     : inside(cells.cells.size(), 0), outside(cells.cells.size(), 0)
   {
     const std::vector<Covered_facet> covered = cover_facets(cells, planes, progress);
-    const Ray_votes rays(planes, up);
+    const Ray_votes rays(planes, site.up);
     std::vector<double> votes(cells.facets.size());
     for_each_in_parallel(votes.size(), progress, [&](std::size_t f) {
       const Facet& facet = cells.facets[f];
@@ -159,6 +160,10 @@ public:
       outside[std::size_t(is_behind ? facet.behind : facet.front)] += std::fabs(votes[f]);
       inside[std::size_t(is_behind ? facet.front : facet.behind)] += std::fabs(votes[f]);
     }
+    const double more_than_all = 1 + 2 * std::accumulate(area.begin(), area.end(), 0.);
+    for(std::size_t c = 0; c < inside.size(); ++c)
+      if(!site.contains(cells.middle(int(c))))
+        inside[c] += more_than_all;
   }
 
 private:

@@ -13,6 +13,7 @@
 #include <CGAL/Shape_regularization_tandem/models/surface/Boundary_faces.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Site.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/crossing_faces.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -37,6 +39,19 @@ public:
     : planes_(planes), up_(up), near_(2 * maximum_distance)
   {}
 
+  // A rectangle between two heights, in a plane that is there, or in a new one.
+  void add_wall(const Plane_coverage::Corners& wall)
+  {
+    auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return is_upright(p.plane()) &&
+             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+    });
+    if(plane == planes_.end())
+      plane = planes_.insert(planes_.end(), plane_of(wall));
+    plane->reach(wall);
+    plane->assume(wall);
+  }
+
   // Below the borders of these polygons, each of which has a plane of its own, from long ones to short ones.
   void add(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes,
            const Model_progress& progress)
@@ -50,7 +65,7 @@ public:
                      [](const Border& a, const Border& b) { return a.length > b.length; });
     std::vector<Plane_coverage> with_walls = planes_;
     for(const Border& border : borders) {
-      with_walls.push_back(plane_of(border));
+      with_walls.push_back(plane_of(border.wall));
       with_walls.back().assume(border.wall);
     }
     const Ray_votes rays(with_walls, up_);
@@ -61,7 +76,7 @@ public:
     });
     for(std::size_t w = 0; w < borders.size(); ++w)
       if(ratios[w] > least_ratio)
-        add_wall(borders[w]);
+        add_wall(borders[w].wall);
   }
 
 private:
@@ -144,10 +159,11 @@ private:
     return 4 * seen > rows * rows;
   }
 
-  Plane_coverage plane_of(const Border& border) const
+  Plane_coverage plane_of(const Plane_coverage::Corners& wall) const
   {
-    const Vector normal = CGAL::cross_product(border.last - border.first, up_) / border.length;
-    const double offset = -(normal * (CGAL::midpoint(border.first, border.last) - CGAL::ORIGIN));
+    const Vector across = CGAL::cross_product(wall[1] - wall[0], up_),
+                 normal = across / std::sqrt(across.squared_length());
+    const double offset = -(normal * (CGAL::midpoint(wall[0], wall[1]) - CGAL::ORIGIN));
     return Plane_coverage({normal.x(), normal.y(), normal.z(), offset});
   }
 
@@ -161,19 +177,6 @@ private:
         places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
                          (j + .5) / rows * border.drop * up_);
     return places;
-  }
-
-  // In a plane that is there, or in a new one.
-  void add_wall(const Border& border)
-  {
-    auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
-      return is_upright(p.plane()) && std::all_of(border.wall.begin(), border.wall.end(),
-                                                  [&](const Point& corner) { return is_near(p.plane(), corner); });
-    });
-    if(plane == planes_.end())
-      plane = planes_.insert(planes_.end(), plane_of(border));
-    plane->reach(border.wall);
-    plane->assume(border.wall);
   }
 
   static constexpr double shortest_wall = 5; // times the distance within which two places are one
@@ -196,10 +199,12 @@ struct Surface_input {
   std::vector<int> groups; // the coplanar groups of the planes that have points, which come first
   std::size_t omitted = 0; // further planes, with fewer points
   CGAL::Bbox_3 box;        // of the points, and somewhat around them
+  Site site;
 
   // At most `most` planes that have points.
-  Surface_input(const std::vector<Position>& points, const outlines::Shapes& shapes, std::size_t most)
-    : unit(points, shapes)
+  Surface_input(const std::vector<Position>& points, const outlines::Shapes& shapes, std::size_t most,
+                const Surface_request& request)
+    : unit(points, shapes), site{{request.up.x, request.up.y, request.up.z}, std::nullopt, {}}
   {
     const double maximum_distance = unit.in(shapes.parameters().maximum_distance);
     const std::vector<std::size_t> shape_of_group = shapes.distinct_planes();
@@ -225,11 +230,19 @@ struct Surface_input {
       groups.push_back(int(g));
     }
     box = outlines::grown(box, 2 * maximum_distance);
+    if(request.base_height)
+      site.base = unit.in(*request.base_height);
+    else if(!request.footprint.empty())
+      site.base = box.zmin();
+    for(const Flat_polygon& ring : request.footprint) {
+      site.footprint.emplace_back();
+      for(const Kernel::Point_2& p : ring)
+        site.footprint.back().emplace_back(unit.in(p.x()), unit.in(p.y()));
+    }
   }
 
-  // These outlines of the shapes, and walls below their borders.
-  void add_outlines(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up,
-                    const Model_progress& progress)
+  // These outlines of the shapes, what is known of the ground, and walls below borders.
+  void add_outlines(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Model_progress& progress)
   {
     for(Position& p : polygons.points)
       for(double& x : p)
@@ -247,7 +260,31 @@ struct Surface_input {
             planes[std::size_t(p)].cover({outlines::point_at(polygons.points[t[0]]),
                                           outlines::point_at(polygons.points[t[1]]),
                                           outlines::point_at(polygons.points[t[2]])});
-    Border_walls(planes, up, unit.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes, progress);
+    const double maximum_distance = unit.in(shapes.parameters().maximum_distance);
+    if(site.base)
+      add_base(8 * maximum_distance);
+    Border_walls walls(planes, site.up, maximum_distance);
+    site.for_each_wall(box.zmax(), [&](const Plane_coverage::Corners& wall) { walls.add_wall(wall); });
+    walls.add(polygons, of_shapes, progress);
+  }
+
+  // Somewhat larger than what is above it.
+  void add_base(double margin)
+  {
+    Plane_coverage base(site.base_plane());
+    CGAL::Bbox_2 seen;
+    for(double x : {box.xmin(), box.xmax()})
+      for(double y : {box.ymin(), box.ymax()})
+        for(double z : {box.zmin(), box.zmax()})
+          seen += base.flat(Point(x, y, z)).bbox();
+    const double left = seen.xmin() - margin, right = seen.xmax() + margin;
+    const Plane_coverage::Corners all = {
+      base.lifted({left, seen.ymin() - margin}), base.lifted({right, seen.ymin() - margin}),
+      base.lifted({right, seen.ymax() + margin}), base.lifted({left, seen.ymax() + margin})};
+    base.reach(all);
+    base.assume(all);
+    box = outlines::grown(box + base.box(0), margin);
+    planes.push_back(std::move(base));
   }
 
   // The coplanar group of a plane; none if it has no points, or is a face of the box.
@@ -323,6 +360,19 @@ inline void add_triangles(const std::vector<Point>& points, Surface_table& table
     " (-1: no group). Without the points of one of them there may be a surface");
 }
 
+// Without the points of shapes that are not in the rings.
+inline Shapes_data cropped(Shapes_data data, const std::vector<Position>& points, const Rings& rings)
+{
+  std::vector<std::int32_t> label(data.shape_of.begin(), data.shape_of.end());
+  for(std::size_t i = 0; i < label.size(); ++i)
+    if(label[i] >= 0 && !is_in(rings, {points[i][0], points[i][1]})) {
+      --data.size[std::size_t(label[i])];
+      label[i] = -1;
+    }
+  data.shape_of = std::move(label);
+  return data;
+}
+
 // Planes, and the cells of their box. Of cells that are too many, half of the planes makes fewer.
 struct Surface_cells {
   Surface_input input;
@@ -334,10 +384,9 @@ inline Surface_cells surface_cells(const std::vector<Position>& points, const ou
                                    Model_progress& progress)
 {
   constexpr std::size_t most_cells = 400000;
-  const Vector up(request.up.x, request.up.y, request.up.z);
   for(std::size_t most = request.most_planes;;) {
-    Surface_input input(points, shapes, most);
-    input.add_outlines(polygons, shapes, up, progress);
+    Surface_input input(points, shapes, most, request);
+    input.add_outlines(polygons, shapes, progress);
     if(input.planes.size() < Surface_input::fewest_planes)
       return {std::move(input), Cells()};
     progress.begin_stage(.4);
@@ -354,16 +403,16 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
 try {
   Model_progress progress(request.callback);
   progress.begin_stage(.3);
-  const outlines::Shapes shapes(data);
+  const outlines::Shapes shapes(request.footprint.empty() ? data : cropped(data, points, request.footprint));
   const auto [input, cells] =
-    surface_cells(points, shapes, outlines::outline_table(points, data, true, progress), request, progress);
+    surface_cells(points, shapes, outlines::outline_table(points, shapes.data(), true, progress), request, progress);
   Surface_table result;
   result.number_of_planes = input.groups.size();
   result.number_of_omitted_planes = input.omitted;
   if(cells.cells.empty())
     return result;
   progress.begin_stage(.8);
-  const Inside_cost cost(cells, input.planes, {request.up.x, request.up.y, request.up.z}, progress);
+  const Inside_cost cost(cells, input.planes, input.site, progress);
   progress.begin_stage(.9);
   const Inside_cells inside(cells, cost);
   const std::vector<Face> faces =
