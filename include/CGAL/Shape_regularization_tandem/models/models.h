@@ -7,6 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
+#include <CGAL/Shape_regularization_tandem/models/Line_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Shape_facts.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
@@ -29,6 +30,9 @@ namespace outlines {
 // only.
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
                                                       bool are_regular = true);
+
+// The lines at which the shapes meet whose outlines these are.
+CGAL_TANDEM_MODELS_INLINE Line_table line_table(const Polygon_table& outlines, const Shapes_data& data);
 
 } // namespace outlines
 
@@ -63,6 +67,7 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
 
 #ifndef CGAL_TANDEM_USE_MODELS
 #include <CGAL/Shape_regularization_tandem/models/facts/facts_table.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/line_table.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/surface_table.h>
 #endif
