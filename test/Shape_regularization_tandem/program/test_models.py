@@ -200,11 +200,11 @@ def test_units(p, exponent):
 
 
 test_bad_usage = cases([
-    ("crs needs --polygons with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
+    ("crs needs --polygons or --lines with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
     ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
     *((f"mesh-planes is {n}, allowed is .4, 1000.", f"missing.ply --mesh m.off --mesh-planes {n}") for n in (3, 1001)),
-    ("mesh is 'm.stl', must end in .off, .obj or .ply", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
+    ("mesh is 'm.stl', must end in .off, .obj, .ply or .city.json", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
 
 
 def volume(points, faces):
