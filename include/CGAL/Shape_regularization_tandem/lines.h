@@ -5,6 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_LINES_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>

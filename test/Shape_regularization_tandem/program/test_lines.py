@@ -152,6 +152,19 @@ def test_city_json(p):
     assert set(used) == set(range(20))
 
 
+def test_cavity(p):
+    """A room in a solid is a second shell, and its faces have no meaning."""
+    cube = np.concatenate([np.insert(square, side, place, axis=1) for side in range(3) for place in (0, 1)
+                           for square in [(np.array(list(itertools.product(range(40), repeat=2))) + .5) / 40]])
+    p.write({"cavity.xyz": text_of(np.concatenate([cube, cube * .6 + .2]))})
+    p(0, "mesh +12 faces", "cavity.xyz --maximum-distance .004 --mesh cavity.city.json")
+    (building,) = p.json("cavity.city.json")["CityObjects"].values()
+    (solid,) = building["geometry"]
+    assert solid["semantics"]["values"] == [list(range(6)), [None] * 6]
+    for shell in solid["boundaries"]:
+        check_closed(shell)
+
+
 test_bad_usage = cases([
     ("lines is 'l.stl', must end in .geojson, .json, .dxf or .obj", "house.xyz --lines l.stl"),
     ("mesh is 'm.json', must end in .off, .obj, .ply or .city.json", "house.xyz --mesh m.json"),
