@@ -138,7 +138,7 @@ endfunction()
 # Sets the variable to whether a source calls the models, and has to be left out where they are not built.
 function(tandem_find_models result source)
   file(STRINGS "${source}" lines REGEX
-       "include (<CGAL/Shape_regularization_tandem(_models[.]h|/models/|/(polygons|closed_surface|shape_facts|select_shapes))|.outlines/)")
+       "include (<CGAL/Shape_regularization_tandem(_models[.]h|/models/|/(lines|polygons|closed_surface|shape_facts|select_shapes))|.outlines/)")
   set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
 

@@ -19,7 +19,7 @@ cd "$(dirname "$0")/../include"
 order=$(sed -n 's/^| `\([a-z/]*\)` | .*/\1/p' ../CONTRIBUTING.md | sed -n '/^base\/tuning$/,$p' | tr '\n' ' ')
 find CGAL -name '*.h' -o -name '*.cpp' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^#include <CGAL/\(Tandem\|Shape_reg\)' |
   sed 's/:#include </ /; s/>.*//' | awk -v order="$order" -v longest="$longest" \
-    -v models='tandem(/models/|_models[.]h$)|/(polygons|closed_surface|shape_facts)[.]h$' '
+    -v models='tandem(/models/|_models[.]h$)|/(lines|polygons|closed_surface|shape_facts)[.]h$' '
     # The plain data of both sides, in CGAL/Tandem, are below the engine, the public functions above it, the models above
     # these.
     function rank(file, folder) {

@@ -10,6 +10,11 @@
 
 #include <CGAL/Tandem/Parameters.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/split.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -162,6 +167,22 @@ private:
 
 // ---
 
+// The URL of a coordinate reference system, of AUTHORITY:CODE or urn:ogc:def:crs:AUTHORITY:VERSION:CODE. Empty for other
+// names.
+inline std::string url_of_crs(const std::string& name)
+{
+  const std::string urls = "https://www.opengis.net/def/crs/";
+  if(boost::starts_with(name, urls))
+    return name;
+  std::vector<std::string> parts;
+  boost::split(parts, boost::erase_first_copy(name, "urn:ogc:def:crs:"), boost::is_any_of(":"));
+  if(parts.size() == 2)
+    parts.insert(parts.begin() + 1, "");
+  if(parts.size() != 3 || parts[0].empty() || parts[2].empty())
+    return {};
+  return urls + parts[0] + '/' + (parts[1].empty() ? "0" : parts[1]) + '/' + parts[2];
+}
+
 // Of estimate_normals: no PCA of a given number of neighbors. Nobody gives that number.
 constexpr long long by_library = std::numeric_limits<long long>::min();
 
@@ -178,10 +199,10 @@ struct Direction_choice {
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, output_directory, labels, planes, report, vg, polygons, shapes, mesh, view;
+  std::string output, output_directory, labels, planes, report, vg, polygons, lines, shapes, mesh, view;
   std::string planes_from;                              // a file
   std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
-  std::string crs;                                      // of --polygons
+  std::string crs;                                      // of --polygons, --lines and --mesh
   std::string columns, classes, format, crop;           // of the inputs
   std::string tolerance_column, noise_text;             // of the tolerance of each point
   std::optional<Noise_model> noise;

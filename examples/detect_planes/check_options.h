@@ -175,8 +175,9 @@ inline const std::vector<Output_option>& output_options()
     {"report", &Options::report, false, {}},
     {"vg", &Options::vg, true, {}},
     {"polygons", &Options::polygons, true, {".geojson", ".json", ".ply", ".obj", ".off"}},
+    {"lines", &Options::lines, true, {".geojson", ".json", ".dxf", ".obj"}},
     {"shapes", &Options::shapes, true, {".csv"}},
-    {"mesh", &Options::mesh, true, {".off", ".obj", ".ply"}},
+    {"mesh", &Options::mesh, true, {".off", ".obj", ".ply", city_json}},
     {"view", &Options::view, true, {".html", ".htm"}}};
   return options;
 }
@@ -251,8 +252,9 @@ inline std::string one_of(const std::vector<std::string>& words)
 
 inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
 {
-  refuse_if(!path.empty() && !is_in(lower_case_extension(path), extensions), "--", name, " is '", path,
-            "', must end in ", one_of(extensions));
+  const bool is_right = std::any_of(extensions.begin(), extensions.end(),
+                                    [&](const std::string& extension) { return ends_in(path, extension); });
+  refuse_if(!path.empty() && !is_right, "--", name, " is '", path, "', must end in ", one_of(extensions));
 }
 
 // A name that every format can have, and that no reader takes for something else.
@@ -321,8 +323,11 @@ inline void check(const Options& o, const Built_with& built)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   refuse_if(o.has_group_for_each_plane && o.vg.empty(), "--vg-by-plane needs --vg");
   refuse_if(o.has_triangles_only && o.polygons.empty(), "--triangulate needs --polygons");
-  refuse_if(!o.crs.empty() && !is_geojson(o.polygons),
-            "--crs needs --polygons with a name that ends in .geojson or .json");
+  const bool has_city = ends_in(o.mesh, city_json);
+  refuse_if(!o.crs.empty() && !is_geojson(o.polygons) && !is_geojson(o.lines) && !has_city,
+            "--crs needs --polygons or --lines with a name that ends in .geojson or .json, or --mesh with ", city_json);
+  refuse_if(!o.crs.empty() && has_city && url_of_crs(o.crs).empty(), "--crs is '", o.crs,
+            "', which CityJSON cannot name; write it like EPSG:25833 or urn:ogc:def:crs:EPSG::25833");
   refuse_if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty(),
             "--oriented needs --planes, --shapes, --view or --polygons");
   refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");

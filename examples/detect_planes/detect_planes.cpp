@@ -72,6 +72,7 @@ public:
       if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
         views.push_back({part.first, part.last, *viewpoint});
     is_seen = processes.largest(double(views.size())) > 0;
+    run.has_outward_sides = are_given || is_seen;
     if(is_seen && run.normals != "none")
       run.normals += ", towards the viewpoint";
   }
@@ -185,7 +186,7 @@ public:
   void write(const Shapes& shapes, Run& run)
   {
     const Described_shapes described(cloud.points, shapes);
-    if(!options.polygons.empty() && described.areas().number_of_empty_entries() > 0)
+    if(!(options.polygons.empty() && options.lines.empty()) && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
     for(std::size_t i = 0; i < writers.size(); ++i) {
       check_signals();
@@ -247,6 +248,8 @@ private:
     });
     open(o.polygons,
          [this](std::ostream& out, const Described_shapes& d, const Run&) { write_polygons(out, d, options); });
+    open(o.lines,
+         [this](std::ostream& out, const Described_shapes& d, const Run& run) { write_lines(out, d, run, options); });
     open(o.view, &write_view);
     open(o.report,
          [](std::ostream& out, const Described_shapes& d, const Run& run) { write_report(out, d.shapes, run); });

@@ -7,6 +7,7 @@
 #define DETECT_PLANES_FILE_NAMES_H
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,15 @@ inline std::string lower_case_extension(const std::filesystem::path& path)
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return extension;
+}
+
+constexpr const char* city_json = ".city.json";
+
+// Whether it has a name before the extension, which may have several parts.
+inline bool ends_in(const std::filesystem::path& path, const std::string& extension)
+{
+  const std::string name = path.filename().string();
+  return name.size() > extension.size() && boost::iends_with(name, extension);
 }
 
 inline bool is_geojson(const std::string& path) { return is_in(lower_case_extension(path), {".geojson", ".json"}); }

@@ -174,8 +174,13 @@ inline void add_result_options(po::options_description& group, Options& o, const
     "the area of each shape as polygons on its plane, straight where it meets the plane of another shape: .geojson or "
     ".json (a MultiPolygon for each shape, with holes), .ply, .obj or .off (a face for each polygon, triangles for "
     "polygons with holes). Shapes that meet share vertices. A shape of very few points has no polygon");
-  add(group, "crs", text_option(o.crs, "NAME"),
-      "the coordinate reference system that --polygons (.geojson, .json) names, such as urn:ogc:def:crs:EPSG::25833");
+  add(group, "lines", text_option(o.lines, "FILE"),
+      "the lines at which two shapes meet, and the corners at which three do: .geojson or .json (a LineString for each "
+      "line, a Point for each corner), .dxf or .obj");
+  add(
+    group, "crs", text_option(o.crs, "NAME"),
+    "the coordinate reference system that --polygons, --lines (.geojson, .json) and --mesh (.city.json) name, such as "
+    "urn:ogc:def:crs:EPSG::25833");
   add(group, "triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add(
     group, "report", text_option(o.report, "FILE"),
@@ -193,7 +198,8 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add(built.view ? group : hidden, "view", text_option(o.view, "FILE"),
       "a page .html or .htm that shows the result in a browser, without a network; it shows at most 3 million points");
   add(group, "mesh", text_option(o.mesh, "FILE"),
-      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. The program makes the "
+      "a closed surface made of the planes: .off, .obj, .ply or .city.json (CityJSON 2.0 with a building for each "
+      "component, and roofs, walls and ground); the normals need no orientation. The program makes the "
       "surface after all other files");
   add(group, "mesh-components", number_option(o.mesh_components, "N"),
       "--mesh keeps the N components with the largest areas; without this option all that have at least a hundredth of "

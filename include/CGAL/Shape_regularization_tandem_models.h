@@ -6,11 +6,12 @@
 
 /*!
 \file
-Models made of a result: outlines of shapes, closed surfaces, measures of shapes, and selections by them. They take
+Models made of a result: outlines of shapes, lines at which they meet, closed surfaces, measures of shapes, and selections by them. They take
 long to compile: link `Tandem::tandem_models`.
 */
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/lines.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
 

@@ -6,8 +6,11 @@
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <chrono>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace program {
@@ -16,12 +19,17 @@ namespace {
 
 using Surface = CGAL::Tandem::Closed_surface_3<Kernel>;
 
+Kernel::Vector_3 upward(const Options& o)
+{
+  const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
+  return Kernel::Vector_3(d[0], d[1], d[2]);
+}
+
 // Of as many planes as there is time for: all of them in half of it, a quarter of them in half of the rest, and so on.
 Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o,
                      const CGAL::Tandem::Callback& show)
 {
   using Clock = std::chrono::steady_clock;
-  const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
   std::chrono::duration<double> left(o.mesh_seconds.value_or(std::numeric_limits<double>::infinity()));
   long long planes = o.mesh_planes.value_or((std::numeric_limits<int>::max)());
   while(planes >= fewest_mesh_planes) {
@@ -34,7 +42,7 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, const Option
     Surface surface = CGAL::Tandem::closed_surface(shapes, points,
                                                    CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
                                                      .maximum_number_of_components(int(o.mesh_components.value_or(0)))
-                                                     .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2]))
+                                                     .symmetry_direction(upward(o))
                                                      .callback(callback));
     if(!is_late)
       return surface;
@@ -66,6 +74,128 @@ void write_surface(std::ostream& out, const Surface& surface, const std::string&
   }
 }
 
+// --- CityJSON 2.0: a building for each component of the surface.
+
+// Twice the area, outward.
+Kernel::Vector_3 area_vector(const Surface& surface, std::size_t face)
+{
+  const auto& corners = surface.faces[face];
+  const auto from_first = [&](std::size_t i) { return surface.points[corners[i]] - surface.points[corners[0]]; };
+  Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  for(std::size_t i = 2; i < corners.size(); ++i)
+    sum = sum + CGAL::cross_product(from_first(i - 1), from_first(i));
+  return sum;
+}
+
+// Faces that have corners in common.
+struct Component {
+  std::vector<std::size_t> faces;
+  double volume = 0; // times six: negative for a cavity
+  Box box;
+};
+
+// In the order of their first faces.
+std::vector<Component> components_of(const Surface& surface)
+{
+  boost::disjoint_sets_with_storage<> sets(surface.points.size());
+  for(const auto& face : surface.faces)
+    for(std::size_t corner : face)
+      sets.union_set(face[0], corner);
+  std::map<std::size_t, std::size_t> number_of;
+  std::vector<Component> result;
+  for(std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const auto& corners = surface.faces[f];
+    const std::size_t number = number_of.emplace(sets.find_set(corners[0]), number_of.size()).first->second;
+    result.resize(number_of.size());
+    Component& component = result[number];
+    component.faces.push_back(f);
+    component.volume += (surface.points[corners[0]] - surface.points[0]) * area_vector(surface, f);
+    for(std::size_t corner : corners)
+      component.box += surface.points[corner].bbox();
+  }
+  return result;
+}
+
+bool contains(const Box& outer, const Box& inner) { return outer + inner == outer; }
+
+// The component whose cavity it is: the smallest one around it.
+const Component* around(const Component& cavity, const std::vector<Component>& all)
+{
+  const Component* result = nullptr;
+  for(const Component& c : all)
+    if(c.volume > 0 && contains(c.box, cavity.box) && (result == nullptr || c.volume < result->volume))
+      result = &c;
+  return result;
+}
+
+// Faces within 10 degrees of upright are walls.
+const char* semantics_of(const Kernel::Vector_3& area, const Kernel::Vector_3& up)
+{
+  const double sine = std::sin(10 * CGAL_PI / 180);
+  const double height = area * up / std::sqrt(area.squared_length() * up.squared_length());
+  return std::fabs(height) <= sine ? "WallSurface" : height > 0 ? "RoofSurface" : "GroundSurface";
+}
+
+// Cavities are further shells, whose faces have no meaning.
+Json building_of(const Surface& surface, const Component& component, const std::vector<Component>& all,
+                 const Kernel::Vector_3& up)
+{
+  Json shells = Json::array(), surfaces = Json::array(), values = Json::array();
+  const auto add_shell = [&](const Component& part, bool is_exterior) {
+    Json shell = Json::array(), value = Json::array();
+    for(std::size_t f : part.faces) {
+      shell.push_back(Json::array({surface.faces[f]}));
+      value.push_back(is_exterior ? Json(surfaces.size()) : Json());
+      if(is_exterior)
+        surfaces.push_back(
+          {{"type", semantics_of(area_vector(surface, f), up)}, {"supported", surface.supported_of_face[f]}});
+    }
+    shells.push_back(shell);
+    values.push_back(value);
+  };
+  add_shell(component, true);
+  for(const Component& cavity : all)
+    if(cavity.volume < 0 && around(cavity, all) == &component)
+      add_shell(cavity, false);
+  const Json solid = {{"type", "Solid"},
+                      {"lod", "2.2"},
+                      {"boundaries", shells},
+                      {"semantics", {{"surfaces", surfaces}, {"values", values}}}};
+  return {{"type", "Building"}, {"geometry", Json::array({solid})}};
+}
+
+// Corners are multiples of a power of ten, between 1e-9 and 1e-8 of the extent, from the smallest coordinates on: no
+// edge of the surface is as short as that.
+void write_city_json(std::ostream& out, const Surface& surface, const Options& o)
+{
+  Box box;
+  for(const Kernel::Point_3& p : surface.points)
+    box += p.bbox();
+  const double extent = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  const double scale = std::stod("1e" + std::to_string(int(std::ceil(std::log10(extent))) - 9));
+  const std::array<double, 3> origin = {box.xmin(), box.ymin(), box.zmin()};
+  Json vertices = Json::array();
+  for(const Kernel::Point_3& p : surface.points) {
+    vertices.emplace_back();
+    for(int k = 0; k < 3; ++k)
+      vertices.back().push_back(std::llround((p[k] - origin[std::size_t(k)]) / scale));
+  }
+  Json buildings = Json::object();
+  const std::vector<Component> components = components_of(surface);
+  for(const Component& component : components)
+    if(component.volume > 0)
+      buildings["building_" + std::to_string(buildings.size())] =
+        building_of(surface, component, components, upward(o));
+  Json json = {{"type", "CityJSON"}, {"version", "2.0"}};
+  if(!o.crs.empty())
+    json["metadata"] = {{"referenceSystem", url_of_crs(o.crs)}};
+  json["transform"] = {{"scale", {scale, scale, scale}}, {"translate", origin}};
+  json["CityObjects"] = buildings;
+  json["vertices"] = vertices;
+  write_json(out, json);
+  out << '\n';
+}
+
 } // namespace
 
 Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
@@ -77,7 +207,10 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
     throw_error("--mesh: a closed surface needs four planes, but there are ", planes);
   if(surface.is_empty())
     throw_error("--mesh: no volume was found that ", planes, " planes enclose");
-  write_surface(out, surface, lower_case_extension(o.mesh));
+  if(ends_in(o.mesh, city_json))
+    write_city_json(out, surface, o);
+  else
+    write_surface(out, surface, lower_case_extension(o.mesh));
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
   return {with_faces.size() - with_faces.count(-1), surface.faces.size(),     planes + surface.number_of_omitted_planes,
           surface.number_of_omitted_planes,         surface.number_of_points, surface.supported};

@@ -59,11 +59,12 @@ struct Run {
   std::string normals;                                    // "given", "estimated" or how else
   std::string device;                                     // "CPU", or what is known of it
   Tolerance_facts tolerance;
-  std::size_t zeros = 0;   // points at 0 0 0 that --ignore-zeros leaves out
-  std::string mesh;        // what there is to say about it
-  std::string files;       // that were written
-  std::string planes_from; // the file of known planes, or nothing
-  std::string selection;   // of shapes: the options, or nothing; and what there was before
+  bool has_outward_sides = false; // planes: normals are given, or the viewpoint is
+  std::size_t zeros = 0;          // points at 0 0 0 that --ignore-zeros leaves out
+  std::string mesh;               // what there is to say about it
+  std::string files;              // that were written
+  std::string planes_from;        // the file of known planes, or nothing
+  std::string selection;          // of shapes: the options, or nothing; and what there was before
   std::size_t detected_shapes = 0, detected_points = 0;
   int threads = 1, processes = 1;
   std::uint64_t hash = 0;

@@ -195,10 +195,7 @@ void write_geojson(std::ostream& out, const Described_shapes& described, const O
 {
   const Shape_areas& areas = described.areas();
   const Shapes& shapes = described.shapes;
-  out << R"({"type": "FeatureCollection", )";
-  if(!o.crs.empty())
-    out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(o.crs))) << "}}, ";
-  out << R"("features": [)";
+  begin_geojson(out, o);
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     Json properties = {{"shape", s}, {"plane", shapes.coefficients(s)}};
     for(const auto& column : described.table().items())

@@ -26,7 +26,7 @@ inline std::string why_empty(const Shape_areas& areas)
 {
   const std::size_t n = areas.number_of_empty_entries();
   return sentence(n, " of ", areas.number_of_entries(), " shapes ", n == 1 ? "has" : "have",
-                  " too few points for an outline: --polygons has no polygons for ", n == 1 ? "it" : "them");
+                  " too few points for an outline: ", n == 1 ? "it has" : "they have", " neither polygons nor lines");
 }
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.
@@ -73,6 +73,15 @@ std::ostream& write_corners(std::ostream& out, const Corners& corners, int first
   for(std::size_t corner : corners)
     out << ' ' << corner + std::size_t(first);
   return out;
+}
+
+// Of a collection of features: "features": [ comes last.
+inline void begin_geojson(std::ostream& out, const Options& o)
+{
+  out << R"({"type": "FeatureCollection", )";
+  if(!o.crs.empty())
+    out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(o.crs))) << "}}, ";
+  out << R"("features": [)";
 }
 
 // --- A cloud.
@@ -154,7 +163,7 @@ struct Mesh_facts {
   double supported = 0;              // the share of the area that has points
 };
 
-// The format is that of the extension of --mesh: .off, .obj or .ply.
+// The format is that of the extension of --mesh: .off, .obj, .ply or .city.json.
 Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
                       const CGAL::Tandem::Callback& show);
 
@@ -168,6 +177,9 @@ void write_cloud(std::ostream& out, const Output_points& cloud, const std::strin
 // of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.
 // Their faces have no holes: polygons with holes are triangles there.
 void write_polygons(std::ostream& out, const Described_shapes& shapes, const Options& o);
+
+// The lines at which the shapes meet, and their corners: GeoJSON with a feature for each, DXF or OBJ.
+void write_lines(std::ostream& out, const Described_shapes& shapes, const Run& run, const Options& o);
 
 // Vertex groups as text (.vg): the points, their normals, and a group of positions for each shape, as PolyFit, Easy3D and
 // programs for kinetic reconstruction read them.

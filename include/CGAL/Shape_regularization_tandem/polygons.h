@@ -18,6 +18,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -94,6 +96,8 @@ public:
   };
 
   /// \cond SKIP_IN_MANUAL
+  const Table& table() const { return table_; }
+
   explicit Shape_polygons_3(Table table = Table()) : table_(std::move(table))
   {
     using FT = typename GeomTraits::FT;
@@ -173,6 +177,19 @@ private:
   Table table_;
   std::vector<Point_3> points_;
 };
+
+namespace internal {
+
+template <class GeomTraits>
+void check_entries(const Planar_shapes_3<GeomTraits>& shapes, const Shape_polygons_3<GeomTraits>& areas)
+{
+  if(areas.number_of_entries() != shapes.number_of_shapes())
+    throw std::invalid_argument("There are " + std::to_string(areas.number_of_entries()) + " entries of polygons for " +
+                                std::to_string(shapes.number_of_shapes()) +
+                                " shapes: pass the polygons of the shapes.");
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

@@ -20,8 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL::Tandem {
@@ -197,10 +195,7 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
                                      const Shape_polygons_3<GeomTraits>& areas,
                                      const NamedParameters& np = NamedParameters())
 {
-  if(areas.number_of_entries() != shapes.number_of_shapes())
-    throw std::invalid_argument("There are " + std::to_string(areas.number_of_entries()) + " entries of polygons for " +
-                                std::to_string(shapes.number_of_shapes()) +
-                                " shapes: pass the polygons of the shapes.");
+  internal::check_entries(shapes, areas);
   std::vector<double> of_shapes;
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
     of_shapes.push_back(areas.area(s));

@@ -200,13 +200,13 @@ def test_units(p, exponent):
 
 
 test_bad_usage = cases([
-    ("crs needs --polygons with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
+    ("crs needs --polygons or --lines with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
     ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
     ("mesh-seconds needs --mesh", "cube.ply --mesh-seconds 9"),
     ("mesh-planes is 3, allowed is .4, 2147483647.", "missing.ply --mesh m.off --mesh-planes 3"),
     ("mesh-seconds is 0, must be positive", "missing.ply --mesh m.off --mesh-seconds 0"),
-    ("mesh is 'm.stl', must end in .off, .obj or .ply", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
+    ("mesh is 'm.stl', must end in .off, .obj, .ply or .city.json", "missing.ply --mesh m.stl")], 2, absent=["m.off", "m.stl"])
 
 
 def volume(points, faces):

@@ -7,6 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
+#include <CGAL/Shape_regularization_tandem/models/Line_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Model_progress.h>
 #include <CGAL/Shape_regularization_tandem/models/Shape_facts.h>
@@ -34,6 +35,9 @@ namespace outlines {
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
                                                       bool are_regular = true,
                                                       const Model_progress& progress = Model_progress());
+
+// The lines at which the shapes meet whose outlines these are.
+CGAL_TANDEM_MODELS_INLINE Line_table line_table(const Polygon_table& outlines, const Shapes_data& data);
 
 } // namespace outlines
 
@@ -79,6 +83,7 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
 
 #ifndef CGAL_TANDEM_USE_MODELS
 #include <CGAL/Shape_regularization_tandem/models/facts/facts_table.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/line_table.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/surface_table.h>
 #endif

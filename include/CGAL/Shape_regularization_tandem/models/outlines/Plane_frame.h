@@ -73,8 +73,15 @@ public:
     double largest = 0;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       for(std::uint32_t i : shapes.points(s))
-        for(int k = 0; k < 3; ++k)
-          largest = (std::max)(largest, std::fabs(points[i][k]));
+        largest = (std::max)(largest, largest_coordinate(points[i]));
+    std::frexp(largest, &exponent);
+  }
+
+  explicit Unit(const std::vector<Position>& points)
+  {
+    double largest = 0;
+    for(const Position& p : points)
+      largest = (std::max)(largest, largest_coordinate(p));
     std::frexp(largest, &exponent);
   }
 
@@ -95,6 +102,12 @@ public:
   }
 
 private:
+  template <class Point>
+  static double largest_coordinate(const Point& p)
+  {
+    return (std::max)({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+  }
+
   int exponent = 0;
 };
 
