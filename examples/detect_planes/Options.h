@@ -202,6 +202,7 @@ struct Options {
   std::string output, output_directory, labels, planes, report, vg, polygons, lines, shapes, mesh, view;
   std::string planes_from;                              // a file
   std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
+  std::string footprint;                                // a file of --mesh
   std::string crs;                                      // of --polygons, --lines and --mesh
   std::string columns, classes, format, crop;           // of the inputs
   std::string tolerance_column, noise_text;             // of the tolerance of each point
@@ -223,6 +224,8 @@ struct Options {
   double estimated_distance = 0;    // of auto
   std::string estimate_note;        // what is said of it
   bool ignores_zeros = false, has_decimal_commas = false;
+  std::optional<double> base_height;
+  bool is_base_ground = false;
   bool is_by_plane = false; // coplanar shapes are one
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;

@@ -331,6 +331,8 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty(),
             "--oriented needs --planes, --shapes, --view or --polygons");
   refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");
+  refuse_if((o.base_height || o.is_base_ground) && o.mesh.empty(), "--base needs --mesh");
+  refuse_if(!o.footprint.empty() && o.mesh.empty(), "--footprint needs --mesh");
   refuse_if(o.mesh_seconds && o.mesh.empty(), "--mesh-seconds needs --mesh");
   refuse_if(o.mesh_components && o.mesh.empty(), "--mesh-components needs --mesh");
   check_count("mesh-components", o.mesh_components, 1, 1000000);

@@ -5,6 +5,7 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "detection.h"
+#include "mesh/footprints.h"
 #include "output/Output_file.h"
 #include "program_options.h"
 #include "ranks/read_inputs.h"
@@ -353,12 +354,14 @@ try {
   if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes, show)) {
     const bool is_part = 3 * facts->points < 2 * points;
     const std::size_t omitted = facts->omitted_planes;
-    run.mesh =
-      text_of(facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",
-              omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "",
-              ", with ", 100 * facts->points / points, " % of the points of shapes",
-              is_part ? " (the others enclose no volume: scan the missing sides, or --crop a part)" : "", "; ",
-              std::lround(100 * facts->supported), " % of its area has points");
+    run.mesh = text_of(
+      facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",
+      omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "", ", with ",
+      100 * facts->points / points, " % of the points of shapes",
+      is_part
+        ? " (the others enclose no volume: --base HEIGHT closes roofs; or scan the missing sides, or --crop a part)"
+        : "",
+      "; ", std::lround(100 * facts->supported), " % of its area has points");
   }
   return {};
 } catch(const std::bad_alloc&) {
@@ -388,6 +391,8 @@ void run(Options o, Processes& processes, Made_folders& folders)
   processes.together([&] {
     check_program(o, processes);
     read_known_planes(o);
+    if(!o.footprint.empty())
+      read_footprints(o.footprint); // what is wrong with it is said before the work
   });
   const Thread_limit limit(o.threads ? int(*o.threads) : processes.threads());
   Run run;

@@ -205,6 +205,21 @@ inline void add_output_options(po::options_description& visible, po::options_des
       "--mesh keeps the N components with the largest areas; without this option all that have at least a hundredth of "
       "the area of the largest");
   add(group, "mesh-planes", number_option(o.mesh_planes, "N"), "--mesh uses only the N planes with most points");
+  add(
+    group, "base",
+    parsed_option("HEIGHT",
+                  [&o](const std::string& text) {
+                    o.is_base_ground = text == "ground";
+                    o.base_height = parse_number(text);
+                    refuse_if(!o.base_height && !o.is_base_ground, "--base is '", text,
+                              "', must be a height or ground");
+                  }),
+    "--mesh closes roofs down to this height, below which nothing is inside; ground: that of the lowest point of class "
+    "2, or, where no point has that class, of a shape");
+  add(group, "footprint", text_option(o.footprint, "FILE"),
+      "--mesh makes one solid for each polygon of this GeoJSON file, of the points in it, with walls on its edges, "
+      "down to "
+      "--base, or to the lowest point of a shape near");
   add(group, "mesh-seconds", number_option(o.mesh_seconds, "S"),
       "--mesh takes at most about S seconds: if all planes take longer than S/2, a quarter of them is used, those with "
       "most "

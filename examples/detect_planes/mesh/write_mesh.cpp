@@ -3,6 +3,7 @@
 
 #include "output/writers.h"
 #include "errors.h"
+#include "mesh/footprints.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
@@ -25,6 +26,35 @@ Kernel::Vector_3 upward(const Options& o)
   return Kernel::Vector_3(d[0], d[1], d[2]);
 }
 
+// The height of the lowest point of class 2, or, if there is none, of a shape.
+double ground(const Point_set& points, const Shapes& shapes, const Kernel::Vector_3& up)
+{
+  constexpr std::uint8_t ground_class = 2; // of LAS
+  const auto classes = find_property<std::uint8_t>(points, classification_name);
+  double of_class = std::numeric_limits<double>::infinity(), of_shapes = of_class;
+  for(Point_set::Index i : points) {
+    const double height = (points.point(i) - CGAL::ORIGIN) * up / std::sqrt(up.squared_length());
+    if(classes && (*classes)[i] == ground_class)
+      of_class = (std::min)(of_class, height);
+    if(shapes.shape_index(i) >= 0)
+      of_shapes = (std::min)(of_shapes, height);
+  }
+  return std::isfinite(of_class) ? of_class : of_shapes;
+}
+
+// Calls the library with the base and the footprints, if there are any.
+template <class Parameters>
+Surface surface_on_ground(const Point_set& points, const Shapes& shapes, const Options& o, const Parameters& all)
+{
+  const auto with_base = [&](const auto& parameters) {
+    if(!o.base_height && !o.is_base_ground)
+      return CGAL::Tandem::closed_surface(shapes, points, parameters);
+    const double base = o.base_height ? *o.base_height : ground(points, shapes, upward(o));
+    return CGAL::Tandem::closed_surface(shapes, points, parameters.base_height(base));
+  };
+  return o.footprint.empty() ? with_base(all) : with_base(all.footprints(read_footprints(o.footprint)));
+}
+
 // Of as many planes as there is time for: all of them in half of it, a quarter of them in half of the rest, and so on.
 Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o,
                      const CGAL::Tandem::Callback& show)
@@ -39,11 +69,11 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, const Option
       is_late = 2 * (Clock::now() - start) > left;
       return show(progress) && !is_late;
     };
-    Surface surface = CGAL::Tandem::closed_surface(shapes, points,
-                                                   CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
-                                                     .maximum_number_of_components(int(o.mesh_components.value_or(0)))
-                                                     .symmetry_direction(upward(o))
-                                                     .callback(callback));
+    Surface surface = surface_on_ground(points, shapes, o,
+                                        CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
+                                          .maximum_number_of_components(int(o.mesh_components.value_or(0)))
+                                          .symmetry_direction(upward(o))
+                                          .callback(callback));
     if(!is_late)
       return surface;
     left -= Clock::now() - start;

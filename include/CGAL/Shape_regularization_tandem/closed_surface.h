@@ -150,14 +150,16 @@ threads and every order of the points.
     \cgalParamDescription{the height of the ground in the direction upward, in units of the points: nothing below it is
     inside, and walls without points go down to it. So roofs alone enclose volumes}
     \cgalParamType{`GeomTraits::FT`, finite}
-    \cgalParamDefault{not known: walls without points end at the lowest shape below; with a footprint, the lowest point of
-    shapes in it}
+    \cgalParamDefault{not known: walls without points end at the lowest shape below; below a footprint, the lowest point of
+    a shape that is not farther from it than half of its extent}
   \cgalParamNEnd
-  \cgalParamNBegin{footprint}
-    \cgalParamDescription{a polygon with holes, of which x and y are those of points: the surface is of the points in it,
-    nothing else is inside, and its edges are walls}
-    \cgalParamType{a `CGAL::Polygon_with_holes_2` of any kernel, with simple boundaries. The direction upward must be z.}
-    \cgalParamDefault{none}
+  \cgalParamNBegin{footprints}
+    \cgalParamDescription{polygons with holes, whose coordinates are x and y of points. Each has a surface of its own, of
+    the points in it: nothing else is inside, and the edges of the polygon are walls. Numbers of planes and of components
+    are those of one footprint}
+    \cgalParamType{a range of `CGAL::Polygon_with_holes_2` of any kernel, with simple boundaries. The direction upward must
+    be z}
+    \cgalParamDefault{none: one surface of all points}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread. By
@@ -193,8 +195,9 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   internal::surface::Surface_request request = {std::size_t(most), std::size_t(components), up, {}, {}, {}};
   if constexpr(internal::Is_given<internal_np::base_height_t, NamedParameters>::value)
     request.base_height = internal::finite_height(internal::parameter<internal_np::base_height_t>(np, 0));
-  if constexpr(internal::Is_given<internal_np::footprint_t, NamedParameters>::value)
-    request.footprint = internal::rings_of(internal::parameter<internal_np::footprint_t>(np, 0), up);
+  if constexpr(internal::Is_given<internal_np::footprints_t, NamedParameters>::value)
+    for(const auto& footprint : internal::parameter<internal_np::footprints_t>(np, 0))
+      request.footprints.push_back(internal::rings_of(footprint, up));
   request.callback = internal::parameter<internal_np::callback_t>(np, Callback());
   auto table = internal::surface::surface_table(coordinates, shapes.data(), request);
   Closed_surface_3<GeomTraits> result;
@@ -203,10 +206,10 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   result.faces = std::move(table.faces);
   result.plane_of_face = std::move(table.plane_of_face);
   result.supported_of_face = std::move(table.supported_of_face);
-  result.supported = table.supported;
+  result.supported = table.area > 0 ? table.supported_area / table.area : 0;
   result.triangles = std::move(table.triangles);
   result.face_of_triangle = std::move(table.face_of_triangle);
-  result.number_of_planes = table.number_of_planes;
+  result.number_of_planes = table.groups.size();
   result.number_of_omitted_planes = table.number_of_omitted_planes;
   result.number_of_points = table.number_of_points;
   return result;

@@ -55,7 +55,7 @@ enum base_height_t { base_height };
 enum cell_size_t { cell_size };
 enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
-enum footprint_t { footprint };
+enum footprints_t { footprints };
 enum largest_t { largest };
 enum maximum_distance_map_t { maximum_distance_map };
 enum maximum_number_of_components_t { maximum_number_of_components };
@@ -106,7 +106,7 @@ enum surfel_size_t { surfel_size };
   X(maximum_number_of_components, maximum_number_of_components_t)                                                      \
   X(maximum_number_of_planes, maximum_number_of_planes_t)                                                              \
   X(base_height, base_height_t)                                                                                        \
-  X(footprint, footprint_t)                                                                                            \
+  X(footprints, footprints_t)                                                                                          \
   X(largest, largest_t)                                                                                                \
   X(minimum_area, minimum_area_t)                                                                                      \
   X(minimum_extent, minimum_extent_t)                                                                                  \

@@ -27,6 +27,8 @@ public:
     check(0);
   }
 
+  double end_of_stage() const { return end_; }
+
   // How much of the stage is done. Throws Cancelled.
   void check(double done) const
   {

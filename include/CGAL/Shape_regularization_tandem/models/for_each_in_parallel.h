@@ -25,6 +25,12 @@ void for_each_in_parallel(std::size_t n, const Model_progress& progress, Functio
   });
 }
 
+template <class Function>
+void for_each_in_parallel(std::size_t n, Function f)
+{
+  for_each_in_parallel(n, Model_progress(), f);
+}
+
 } // namespace CGAL::Tandem::internal
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FOR_EACH_IN_PARALLEL_H

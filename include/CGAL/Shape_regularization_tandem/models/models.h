@@ -53,8 +53,9 @@ struct Surface_table {
   std::vector<double> supported_of_face;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::size_t> face_of_triangle;
-  double supported = 0;
-  std::size_t number_of_planes = 0, number_of_omitted_planes = 0, number_of_points = 0;
+  std::vector<int> groups; // coplanar ones, whose planes were considered; ascending
+  double area = 0, supported_area = 0;
+  std::size_t number_of_omitted_planes = 0, number_of_points = 0;
 };
 
 // What closed_surface() is asked for.
@@ -62,7 +63,7 @@ struct Surface_request {
   std::size_t most_planes, most_components;
   internal::Vector up; // of length 1
   std::optional<double> base_height;
-  std::vector<Flat_polygon> footprint; // its outer boundary and its holes, or nothing
+  std::vector<std::vector<Flat_polygon>> footprints; // of each its outer boundary and its holes
   Callback callback;
 };
 

@@ -214,8 +214,7 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
   const outlines::Unit unit(points, shapes);
   const Level_frame level(up);
   std::vector<Shape_facts> facts(shapes.number_of_shapes());
-  for_each_in_parallel(facts.size(), Model_progress(),
-                       [&](std::size_t s) { facts[s] = facts_of_shape(points, shapes, unit, level, s); });
+  for_each_in_parallel(facts.size(), [&](std::size_t s) { facts[s] = facts_of_shape(points, shapes, unit, level, s); });
   return facts;
 }
 

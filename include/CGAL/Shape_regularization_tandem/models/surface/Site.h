@@ -30,14 +30,15 @@ inline bool is_in(const Rings& rings, const Kernel::Point_2& p)
 struct Site {
   Vector up;                  // of length 1; z if there is a footprint
   std::optional<double> base; // its height; there is one if there is a footprint
-  Rings footprint;
+  Rings footprint;            // none: everywhere
 
   Coefficients base_plane() const { return {up.x(), up.y(), up.z(), -*base}; }
 
-  bool contains(const Point& p) const
-  {
-    return (!base || height(base_plane(), p) >= 0) && (footprint.empty() || is_in(footprint, {p.x(), p.y()}));
-  }
+  // Seen from above.
+  CGAL::Bbox_2 box() const { return CGAL::bbox_2(footprint[0].begin(), footprint[0].end()); }
+  bool is_above_or_below(const Point& p) const { return footprint.empty() || is_in(footprint, {p.x(), p.y()}); }
+
+  bool contains(const Point& p) const { return is_above_or_below(p) && (!base || height(base_plane(), p) >= 0); }
 
   // f(wall) for the walls on the edges of the footprint, from the base up to a height.
   template <class Function>
