@@ -352,7 +352,7 @@ try {
     return true;
   };
   if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes, show)) {
-    const bool is_part = 3 * facts->points < 2 * points;
+    const bool is_part = 3 * facts->points < 2 * points && o.footprint.empty();
     const std::size_t omitted = facts->omitted_planes;
     run.mesh = text_of(
       facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",

@@ -4,6 +4,7 @@
 and far from the origin: the same areas as faces in all formats; and closed surfaces by the cells that the planes cut."""
 
 import itertools
+import json
 import re
 
 import numpy as np
@@ -203,6 +204,8 @@ test_bad_usage = cases([
     ("crs needs --polygons or --lines with a name that ends in .geojson or .json", "cube.ply --polygons out.ply --crs EPSG:25833"),
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
     ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
+    ("base needs --mesh", "cube.ply --base 0"), ("footprint needs --mesh", "cube.ply --footprint f.geojson"),
+    ("base is 'low', must be a height or ground", "cube.ply --mesh m.off --base low"),
     ("mesh-seconds needs --mesh", "cube.ply --mesh-seconds 9"),
     ("mesh-planes is 3, allowed is .4, 2147483647.", "missing.ply --mesh m.off --mesh-planes 3"),
     ("mesh-seconds is 0, must be positive", "missing.ply --mesh m.off --mesh-seconds 0"),
@@ -236,6 +239,32 @@ def test_parts_of_a_surface(p):
     assert "property double supported" in lines
     shares = [float(line.split()[-1]) for line in lines[-6:]]
     assert all(.5 < share <= 1 for share in shares)
+
+
+def roofs():
+    """Of two houses, without walls and ground"""
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(.1, 10, .2), np.arange(.1, 8, .2)))
+    gable = np.column_stack([x, y, 9 - .75 * abs(y - 4) + .01 * np.sin(9 * x + 7 * y)])
+    return np.vstack([gable, gable + [20, 0, -1]])
+
+
+def test_ground(p):
+    """Roofs are closed down to a base, and there is one solid for each footprint."""
+    p.path("roofs.xyz").write_text("\n".join(" ".join(map(str, q)) for q in roofs()))
+    square = [[[0, 0], [10, 0], [10, 8], [0, 8], [0, 0]]]
+    feature = {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": square}}
+    p.path("one.geojson").write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
+    detect = "roofs.xyz --maximum-distance .05 --mesh roofs.off"
+    for option, expected in {"--base 0": 1120, "--base ground": 160, "--footprint one.geojson --base 0": 600}.items():
+        p(0, "mesh ", f"{detect} {option}")
+        points, faces = off(p.path("roofs.off").read_bytes(), colors=0)
+        assert volume(np.array(points), [face for _, face in faces]) == pytest.approx(expected, rel=.03), option
+    p.path("bad.geojson").write_text('{"type": "Point", "coordinates": [1, 2]}')
+    p(1, "--footprint bad.geojson: has no polygons", f"{detect} --footprint bad.geojson")
+    p(1, "--footprint roofs.xyz: .*parse error", f"{detect} --footprint roofs.xyz")
+    p(1, "--mesh: there is no surface within the 1e-06 seconds of --mesh-seconds; the other files are complete",
+      f"{detect} --planes p.txt --mesh-seconds 1e-6")
+    p(0, "mesh ", f"{detect} --base 0 --mesh-seconds 1000")
 
 
 OTHERS = {"planes": "planes", "labels": "labels", "output": "ply", "report": "json", "vg": "vg", "polygons": "obj"}

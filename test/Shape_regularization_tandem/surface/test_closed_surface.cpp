@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
+#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -284,6 +285,106 @@ BOOST_AUTO_TEST_CASE(carport)
   const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.08).minimum_region_size(100));
   CHECK(shapes.number_of_shapes() == 3);
   CHECK(CGAL::Tandem::closed_surface(shapes, points).is_empty());
+}
+
+// Roofs of two houses, of 600 and 540, one of which is cut in two: neither walls nor the ground have points.
+struct Roofs {
+  std::vector<Epick::Point_3> points;
+  Found_shapes shapes;
+
+  Roofs()
+  {
+    add_gable(points, 0, 6, 9);
+    add_gable(points, 20, 5, 8.5);
+    shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.08).minimum_region_size(100));
+  }
+
+  template <class Parameters>
+  double volume(const Parameters& parameters) const
+  {
+    return checked_volume(CGAL::Tandem::closed_surface(shapes, points, parameters), "roofs");
+  }
+};
+
+using Footprint = CGAL::Polygon_with_holes_2<Epick>;
+
+Footprint rectangle(double x, double y, double right, double back)
+{
+  const std::vector<Epick::Point_2> corners = {{x, y}, {right, y}, {right, back}, {x, back}};
+  return Footprint(CGAL::Polygon_2<Epick>(corners.begin(), corners.end()));
+}
+
+BOOST_AUTO_TEST_CASE(base)
+{
+  const Roofs roofs;
+  check_close(roofs.volume(np::base_height(0.)) / 1140, 1, .02, "down to 0");
+  check_close(roofs.volume(np::base_height(-2.)) / 1460, 1, .02, "down to -2");
+  check_throws<std::invalid_argument>([&] { roofs.volume(np::base_height(std::nan(""))); }, {"base_height"}, __LINE__);
+  const std::vector<Epick::Point_3> with_ground = airborne_scan(.5, 2);
+  const Found_shapes shapes =
+    CGAL::Tandem::detect_planes(with_ground, np::maximum_distance(.08).minimum_region_size(100));
+  const double volume =
+    checked_volume(CGAL::Tandem::closed_surface(shapes, with_ground, np::base_height(3.)), "above the ground");
+  check_close(volume / (1140 - 2 * 80 * 3), 1, .02, "above the ground");
+}
+
+// One solid for each: the second footprint has a courtyard, the others are parts of a house, side by side, and a field.
+BOOST_AUTO_TEST_CASE(footprints)
+{
+  const Roofs roofs;
+  std::vector<Footprint> footprints = {rectangle(0, 0, 4, 8), rectangle(20, 0, 30, 8), rectangle(4, 0, 10, 8),
+                                       rectangle(50, 0, 60, 8)};
+  const Footprint court = rectangle(23, 3, 27, 5);
+  footprints[1].add_hole(CGAL::Polygon_2<Epick>(court.outer_boundary()));
+  const Surface surface =
+    CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, np::footprints(footprints).base_height(0.));
+  double sum = 0;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    sum +=
+      CGAL::volume(CGAL::ORIGIN + Epick::Vector_3(0, 0, 0), surface.points[a], surface.points[b], surface.points[c]);
+  }
+  check_close(sum / (1140 - 8 * 8.06), 1, .02, "the volume of all");
+  CHECK(surface.number_of_planes == 4);
+  checked_volume(surface, "apart");
+  // Without a base, down to the lowest point near, which is that of the eaves.
+  CHECK(roofs.volume(np::footprints(std::vector<Footprint>(1, footprints[0]))) < 4 * 8 * 3);
+  check_throws<std::invalid_argument>(
+    [&] { roofs.volume(np::footprints(footprints).symmetry_direction(Epick::Vector_3(0, 1, 0))); }, {"footprint", "z"},
+    __LINE__);
+  const std::vector<Epick::Point_2> bow = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+  check_throws<std::invalid_argument>(
+    [&] {
+      roofs.volume(
+        np::footprints(std::vector<Footprint>(1, Footprint(CGAL::Polygon_2<Epick>(bow.begin(), bow.end())))));
+    },
+    {"simple"}, __LINE__);
+}
+
+// The progress rises to 1; it ends where the callback says so, with an empty surface, or throws.
+BOOST_AUTO_TEST_CASE(progress)
+{
+  const Roofs roofs;
+  const auto list = np::base_height(0.);
+  std::vector<double> seen;
+  const auto callback = [&](double progress) {
+    seen.push_back(progress);
+    return true;
+  };
+  const double volume = roofs.volume(list.callback(callback));
+  CHECK(volume == roofs.volume(list) && seen.size() > 20);
+  CHECK(std::is_sorted(seen.begin(), seen.end()) && seen.front() >= 0 && seen.back() > .9 && seen.back() <= 1);
+  for(const double end : {0., .3, .5, .8, .9}) {
+    double last = 0;
+    const auto cancel = [&](double progress) {
+      last = progress;
+      return progress < end;
+    };
+    CHECK(CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, list.callback(cancel)).is_empty());
+    CHECK(last >= end);
+  }
+  const auto fail = [](double) -> bool { throw std::range_error("by the callback"); };
+  check_throws<std::range_error>([&] { roofs.volume(list.callback(fail)); }, {"by the callback"}, __LINE__);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
