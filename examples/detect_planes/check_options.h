@@ -334,6 +334,8 @@ inline void check(const Options& o, const Built_with& built)
             "--planes-from with --estimate-normals needs a number K of neighbors: --estimate-normals K");
   refuse_if(!detects && o.backend == "cuda",
             "--backend is 'cuda', but --planes-from detects nothing: pass only one of them");
+  refuse_if(!detects && o.is_upright,
+            "--upright is for detected planes, but --planes-from detects nothing: pass only one of them");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);

@@ -16,6 +16,7 @@
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
+#include <CGAL/Shape_regularization_tandem/upward_direction.h>
 #include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -155,6 +156,11 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   if(o.symmetry_direction) {
     p.regularize_axis_symmetry = true;
     p.symmetry_direction = *o.symmetry_direction;
+  }
+  if(o.is_upright && o.up) {
+    p.fixed_directions.push_back(*o.up);
+    p.regularize_axis_symmetry = true;
+    p.symmetry_direction = o.symmetry_direction.value_or(*o.up);
   }
   CGAL::Tandem::Parameters checked = p;
   checked.maximum_distance = o.maximum_distance.value_or(1);
@@ -402,6 +408,28 @@ try {
 } catch(const CGAL::Tandem::Parameter_error& e) {
   const Cloud_box own = box_of(points, Processes());
   throw_error(option_message(e, o), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+}
+
+// The shapes tell the direction upward, where it is not given. --upright needs it before there are shapes: the expected one
+// is used first, and where another one is found, the detection is repeated with that.
+inline Shapes detect_upward(const Point_set& points, Options& o, Processes& processes, Run& run)
+{
+  if(o.up) {
+    run.up.direction = *o.up;
+    return detect_on_backend(points, o, processes);
+  }
+  const Box box = box_of(points, processes).box;
+  const auto center = [&box](int c) { return (box.min(c) + box.max(c)) / 2; };
+  const auto expected = CGAL::Tandem::expected_upward_direction({center(0), center(1), center(2)});
+  o.up = expected;
+  Shapes shapes = detect_on_backend(points, o, processes);
+  run.up = CGAL::Tandem::upward_direction(shapes, expected);
+  run.up_source = run.up.is_found ? "found" : "assumed";
+  o.up = run.up.direction;
+  if(!o.is_upright || o.up == expected)
+    return shapes;
+  run.up_seconds = shapes.statistics().times.total;
+  return detect_on_backend(points, o, processes);
 }
 
 } // namespace program

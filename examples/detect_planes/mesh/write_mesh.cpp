@@ -37,11 +37,11 @@ std::size_t number_of_usable_planes(const Point_set& points, const Shapes& shape
 // Of at most so many planes.
 Surface make_surface(const Point_set& points, const Shapes& shapes, std::size_t planes, const Options& o)
 {
-  const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
+  const std::array<double, 3>& up = *o.up;
   Surface surface = CGAL::Tandem::closed_surface(shapes, points,
                                                  CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
                                                    .maximum_number_of_components(int(o.mesh_components.value_or(0)))
-                                                   .symmetry_direction(Kernel::Vector_3(d[0], d[1], d[2])));
+                                                   .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
   check_signals();
   if(surface.is_empty() &&
      surface.number_of_planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
