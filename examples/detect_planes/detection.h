@@ -159,6 +159,7 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   }
   if(o.is_upright && o.up) {
     p.fixed_directions.push_back(*o.up);
+    p.fixed_regularity = 1;
     p.regularize_axis_symmetry = true;
     p.symmetry_direction = o.symmetry_direction.value_or(*o.up);
   }
@@ -410,8 +411,8 @@ try {
   throw_error(option_message(e, o), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
-// The shapes tell the direction upward, where it is not given. --upright needs it before there are shapes: the expected one
-// is used first, and where another one is found, the detection is repeated with that.
+// The shapes tell the direction upward, where it is not given. --upright needs it before there are shapes: it takes the
+// expected one, and where shapes tell of another one, that of a detection without --upright, as this turns shapes.
 inline Shapes detect_upward(const Point_set& points, Options& o, Processes& processes, Run& run)
 {
   if(o.up) {
@@ -424,12 +425,19 @@ inline Shapes detect_upward(const Point_set& points, Options& o, Processes& proc
   o.up = expected;
   Shapes shapes = detect_on_backend(points, o, processes);
   run.up = CGAL::Tandem::upward_direction(shapes, expected);
+  if(o.is_upright && run.up.direction != expected) {
+    run.up_seconds = shapes.statistics().times.total;
+    o.is_upright = false;
+    shapes = detect_on_backend(points, o, processes);
+    run.up_seconds += shapes.statistics().times.total;
+    run.up = CGAL::Tandem::upward_direction(shapes, expected);
+    o.is_upright = true;
+    o.up = run.up.direction;
+    shapes = detect_on_backend(points, o, processes);
+  }
   run.up_source = run.up.is_found ? "found" : "assumed";
   o.up = run.up.direction;
-  if(!o.is_upright || o.up == expected)
-    return shapes;
-  run.up_seconds = shapes.statistics().times.total;
-  return detect_on_backend(points, o, processes);
+  return shapes;
 }
 
 } // namespace program

@@ -270,7 +270,7 @@ inline void add_up_options(po::options_description& group, Options& o)
   add(group, "upright", po::bool_switch(&o.is_upright),
       "make walls exactly upright, floors exactly level and the sides of roofs equally steep, within the angle "
       "tolerance and if their points allow this: --fixed-direction and --symmetry-direction of what --up is. If auto "
-      "finds that neither z nor away from the earth is upward, the program detects twice");
+      "finds that neither z nor away from the earth is upward, this takes three detections");
 }
 
 inline void add_detection_options(po::options_description& all, Options& o)

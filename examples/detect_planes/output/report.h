@@ -170,6 +170,7 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
                {"minimum_region_size", p.minimum_region_size},
                {"simplicity", p.simplicity},
                {"regularity", p.regularity},
+               {"fixed_regularity", p.fixed_regularity},
                {"surfel_size", p.surfel_size},
                {"k_neighbors", p.k_neighbors},
                {"cell_size", p.cell_size},
@@ -302,10 +303,10 @@ inline std::string up_text(const Run& run)
   const auto percent = [](double fraction) { return std::lround(100 * fraction); };
   const std::string facts = text_of(": of the points in shapes, ", percent(run.up.level), " % are level and ",
                                     percent(run.up.upright), " % upright");
-  return text_of(
-    std::setprecision(4), x, ' ', y, ' ', z, ", ", run.up_source, run.up_source == "given" ? "" : facts,
-    run.up_source == "assumed" ? " (--up X,Y,Z gives another one)" : "",
-    run.up_seconds > 0 ? text_of(std::setprecision(3), ", by a detection of ", run.up_seconds, " seconds before") : "");
+  return text_of(std::setprecision(4), x, ' ', y, ' ', z, ", ", run.up_source, run.up_source == "given" ? "" : facts,
+                 run.up_source == "assumed" ? " (--up X,Y,Z gives another one)" : "",
+                 run.up_seconds > 0 ? text_of(std::setprecision(3), ", by detections of ", run.up_seconds, " seconds")
+                                    : "");
 }
 
 inline std::string summary(const Shapes& shapes, const Run& run)
