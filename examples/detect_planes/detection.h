@@ -159,7 +159,7 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   }
   if(o.is_upright && o.up) {
     p.fixed_directions.push_back(*o.up);
-    p.fixed_regularity = 1;
+    p.fixed_regularity = 2;
     p.regularize_axis_symmetry = true;
     p.symmetry_direction = o.symmetry_direction.value_or(*o.up);
   }

@@ -267,10 +267,12 @@ inline void add_up_options(po::options_description& group, Options& o)
     "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
     "level or upright to another direction only, as from a camera. The program prints it (default: "
     "--symmetry-direction, or auto)");
-  add(group, "upright", po::bool_switch(&o.is_upright),
-      "make walls exactly upright, floors exactly level and the sides of roofs equally steep, within the angle "
-      "tolerance and if their points allow this: --fixed-direction and --symmetry-direction of what --up is. If auto "
-      "finds that neither z nor away from the earth is upward, this takes three detections");
+  add(
+    group, "upright", po::bool_switch(&o.is_upright),
+    "make walls exactly upright, floors exactly level and the sides of roofs equally steep, within the angle "
+    "tolerance and if their points allow this: --up becomes --fixed-direction and --symmetry-direction, and relations "
+    "to it have the worth of --regularity 2. If auto finds that neither z nor away from the earth is upward, this "
+    "takes three detections");
 }
 
 inline void add_detection_options(po::options_description& all, Options& o)

@@ -61,7 +61,7 @@ struct Parameters {
   /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Of
   /// directions that are opposite, or that make an angle of less than 1e-9 radians, only the first counts.
   std::vector<std::array<double, 3>> fixed_directions;
-  /// what a degree of freedom is worth that a fixed direction takes, if that is more than `regularity`, in [0, 10]: with 1,
+  /// what a degree of freedom is worth that a fixed direction takes, if that is more than `regularity`, in [0, 10]: with 2,
   /// hardly any shape within `angle_tolerance` keeps a direction of its own
   double fixed_regularity = 0;
   /// whether shapes that make nearly the same angle with `symmetry_direction` get exactly the same. Then
