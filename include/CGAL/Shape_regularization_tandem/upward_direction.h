@@ -25,8 +25,10 @@ namespace CGAL::Tandem {
 struct Upward_direction {
   /// a unit vector
   std::array<double, 3> direction = {0, 0, 1};
-  /// of the points of shapes, the fraction in level shapes, and in upright ones
-  double level = 0, upright = 0;
+  /// of the points of shapes, the fraction in level shapes
+  double level = 0;
+  /// of the points of shapes, the fraction in upright shapes
+  double upright = 0;
   /// whether the shapes show the direction; otherwise it is the expected one
   bool is_found = false;
 };
