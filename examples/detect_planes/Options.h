@@ -216,7 +216,8 @@ struct Options {
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
-  std::optional<long long> largest; // shapes that are selected
+  std::optional<std::array<double, 3>> up; // where it is not given, from the detection on
+  std::optional<long long> largest;        // shapes that are selected
   std::optional<double> minimum_area, minimum_extent;
   std::optional<Direction_choice> near_direction;
   std::string backend = "auto";
@@ -226,6 +227,7 @@ struct Options {
   bool ignores_zeros = false, has_decimal_commas = false;
   std::optional<double> base_height;
   bool is_base_ground = false;
+  bool is_upright = false;  // walls and floors become so
   bool is_by_plane = false; // coplanar shapes are one
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;

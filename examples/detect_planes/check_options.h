@@ -74,7 +74,8 @@ inline std::array<double, 3> parse_three(const char* option, const std::string& 
   const bool is_direction = kind == Three::direction;
   refuse_if(numbers.size() != 3 || !begin_with_three(numbers, d) || (is_direction && d == std::array<double, 3>()),
             "--", option, " is '", text, "', must be three numbers with commas between them, ",
-            is_direction ? "not all 0, as in 0,0,1" : "as in 2.5,-1,1.6");
+            is_direction ? "not all 0, as in 0,0,1" : "as in 2.5,-1,1.6",
+            std::string_view(option) == "up" ? ", or auto" : "");
   return d;
 }
 
@@ -343,6 +344,8 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(!detects && o.backend == "cuda",
             "--backend is 'cuda', but --planes-from detects nothing: pass only one of them");
   check_positive("mesh-seconds", o.mesh_seconds);
+  refuse_if(!detects && o.is_upright,
+            "--upright is for detected planes, but --planes-from detects nothing: pass only one of them");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);

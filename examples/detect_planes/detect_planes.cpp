@@ -186,7 +186,7 @@ public:
   // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
   void write(const Shapes& shapes, Run& run)
   {
-    const Described_shapes described(cloud.points, shapes);
+    const Described_shapes described(cloud.points, shapes, *options.up);
     if(!(options.polygons.empty() && options.lines.empty()) && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
     for(std::size_t i = 0; i < writers.size(); ++i) {
@@ -418,7 +418,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
   Outward_sides sides(o, cloud, processes, run);
 
   std::optional<Shapes> shapes;
-  processes.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, processes)); });
+  processes.together([&] { shapes.emplace(detect_upward(cloud.points, o, processes, run)); });
   // What the back end that was chosen in the end ran on.
   const std::string& backend = shapes->statistics().backend;
   run.device = backend == "cuda" ? CGAL::Tandem::cuda_device_report() : "CPU";

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
+#include <CGAL/Shape_regularization_tandem/upward_direction.h>
 #include <CGAL/Tandem/Parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -156,6 +157,12 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   if(o.symmetry_direction) {
     p.regularize_axis_symmetry = true;
     p.symmetry_direction = *o.symmetry_direction;
+  }
+  if(o.is_upright && o.up) {
+    p.fixed_directions.push_back(*o.up);
+    p.fixed_regularity = 2;
+    p.regularize_axis_symmetry = true;
+    p.symmetry_direction = o.symmetry_direction.value_or(*o.up);
   }
   CGAL::Tandem::Parameters checked = p;
   checked.maximum_distance = o.maximum_distance.value_or(1);
@@ -413,6 +420,35 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
                                                "--tolerance-column, --noise", o.planes_from};
   return tandem_examples::cloud_warnings(
     points.points(), shapes, asked, [&] { return CGAL::Tandem::estimate_noise(points); }, processes);
+}
+
+// The shapes tell the direction upward, where it is not given. --upright needs it before there are shapes: it takes the
+// expected one, and where shapes tell of another one, that of a detection without --upright, as this turns shapes.
+inline Shapes detect_upward(const Point_set& points, Options& o, Processes& processes, Run& run)
+{
+  if(o.up) {
+    run.up.direction = *o.up;
+    return detect_on_backend(points, o, processes);
+  }
+  const Box box = box_of(points, processes).box;
+  const auto center = [&box](int c) { return (box.min(c) + box.max(c)) / 2; };
+  const auto expected = CGAL::Tandem::expected_upward_direction({center(0), center(1), center(2)});
+  o.up = expected;
+  Shapes shapes = detect_on_backend(points, o, processes);
+  run.up = CGAL::Tandem::upward_direction(shapes, expected);
+  if(o.is_upright && run.up.direction != expected) {
+    run.up_seconds = shapes.statistics().times.total;
+    o.is_upright = false;
+    shapes = detect_on_backend(points, o, processes);
+    run.up_seconds += shapes.statistics().times.total;
+    run.up = CGAL::Tandem::upward_direction(shapes, expected);
+    o.is_upright = true;
+    o.up = run.up.direction;
+    shapes = detect_on_backend(points, o, processes);
+  }
+  run.up_source = run.up.is_found ? "found" : "assumed";
+  o.up = run.up.direction;
+  return shapes;
 }
 
 } // namespace program

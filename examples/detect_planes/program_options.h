@@ -122,7 +122,7 @@ inline void add_selection_options(po::options_description& all, Options& o)
   add(group, "near-direction",
       parsed_option("DIRECTION", [&o](const std::string& text) { o.near_direction = parse_near_direction(text); }),
       "shapes with a normal within 10 degrees of X,Y,Z or its opposite; 'vertical': walls; 'horizontal': floors and "
-      "ceilings, where upward is --symmetry-direction, or z. Another angle may follow, as in vertical,5");
+      "ceilings, where upward is --up. Another angle may follow, as in vertical,5");
   all.add(group);
 }
 
@@ -159,7 +159,7 @@ inline void add_result_options(po::options_description& group, Options& o, const
       "a table .csv with a line for each shape: points, plane, centroid, area, length and width, lowest and highest "
       "point, "
       "tilt, dip and azimuth, distances, how far the plane is from the fit of the points, uncertainty, parallel and "
-      "coplanar group. Upward is z, or --symmetry-direction");
+      "coplanar group. Upward is --up");
   add(group, "by-plane", po::bool_switch(&o.is_by_plane),
       "join coplanar shapes: all outputs have one shape for each plane");
   add(
@@ -261,8 +261,9 @@ inline std::string short_help(const Built_with& built, const po::options_descrip
 {
   std::ostringstream out;
   out << usage(built) << "\nThe most used options (--help all has all of them, by topic):\n" << std::left;
-  for(const char* name : {"output", "planes", "shapes", "polygons", "view", "mesh", "report", "maximum-distance",
-                          "maximum-angle", "minimum-region-size", "simplicity", "largest", "columns", "threads"})
+  for(const char* name :
+      {"output", "planes", "shapes", "polygons", "view", "mesh", "report", "maximum-distance", "maximum-angle",
+       "minimum-region-size", "upright", "simplicity", "largest", "columns", "threads"})
     if(const po::option_description* option = options.find_nothrow(name, false)) {
       const std::string& text = option->description();
       const std::size_t end = text.rfind(" (default");
@@ -272,6 +273,29 @@ inline std::string short_help(const Built_with& built, const po::options_descrip
     }
   out << "\nExample: detect_planes cloud.ply --output shapes.ply --planes planes.txt\n";
   return out.str();
+}
+
+// --- The options of the command line that say what is upward.
+
+inline void add_up_options(po::options_description& group, Options& o)
+{
+  add(
+    group, "up",
+    parsed_option("X,Y,Z",
+                  [&o](const std::string& text) {
+                    if(text != "auto")
+                      o.up = parse_three("up", text, Three::direction);
+                  }),
+    "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, --view and the walls of "
+    "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
+    "level or upright to another direction only, as from a camera. The program prints it (default: "
+    "--symmetry-direction, or auto)");
+  add(
+    group, "upright", po::bool_switch(&o.is_upright),
+    "make walls exactly upright, floors exactly level and the sides of roofs equally steep, within the angle "
+    "tolerance and if their points allow this: --up becomes --fixed-direction and --symmetry-direction, and relations "
+    "to it have the worth of --regularity 2. If auto finds that neither z nor away from the earth is upward, this "
+    "takes three detections");
 }
 
 inline void add_detection_options(po::options_description& all, Options& o)
@@ -319,7 +343,8 @@ inline void add_detection_options(po::options_description& all, Options& o)
                       o.symmetry_direction = parse_three("symmetry-direction", text, Three::direction);
                     }),
       "like a fixed direction; also, shapes that make nearly the same angle with it, such as the sides of a roof, then "
-      "make exactly the same angle; for --mesh it is the upward direction");
+      "make exactly the same angle");
+  add_up_options(group, o);
   add(group, "planes-from", text_option(o.planes_from, "FILE"),
       "detect nothing, but use the planes of FILE: a file of --planes, or a table with columns a, b, c and d. "
       "Each "
@@ -449,6 +474,7 @@ inline Command_line parse(int argc, const char* const argv[], const Built_with& 
       if(const auto* text = boost::any_cast<std::string>(&value.value()))
         refuse_if(text->empty(), "--", name, " is empty");
     po::notify(map);
+    o.up = o.up || map.count("up") > 0 ? o.up : o.symmetry_direction;
   } catch(const po::error& e) {
     throw Usage_error(message_of(e, visible, argc, argv));
   }

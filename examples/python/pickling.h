@@ -31,10 +31,10 @@ void for_each_member(Data& data, F& f)
   {
     auto& [maximum_distance, maximum_angle, angle_tolerance, maximum_offset, minimum_region_size, simplicity,
            regularity, surfel_size, k_neighbors, cell_size, parallelism, orthogonality, coplanarity, fixed_directions,
-           axis_symmetry, symmetry_direction, period] = parameters;
+           fixed_regularity, axis_symmetry, symmetry_direction, period] = parameters;
     all(maximum_distance, maximum_angle, angle_tolerance, maximum_offset, minimum_region_size, simplicity, regularity,
-        surfel_size, k_neighbors, cell_size, parallelism, orthogonality, coplanarity, fixed_directions, axis_symmetry,
-        symmetry_direction, period);
+        surfel_size, k_neighbors, cell_size, parallelism, orthogonality, coplanarity, fixed_directions,
+        fixed_regularity, axis_symmetry, symmetry_direction, period);
   }
   auto& [number_of_points, ignored_coordinates, ignored_normals, ignored_tolerances, far, assigned, free_points,
          number_of_shapes, directions, planes, orthogonal_pairs, coverage, mean_distance, degrees_of_freedom,

@@ -25,6 +25,7 @@ The detector, and what a result offers without further libraries. Models made of
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 #include <CGAL/Shape_regularization_tandem/tags.h>
+#include <CGAL/Shape_regularization_tandem/upward_direction.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>

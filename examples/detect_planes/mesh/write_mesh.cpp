@@ -22,8 +22,8 @@ using Surface = CGAL::Tandem::Closed_surface_3<Kernel>;
 
 Kernel::Vector_3 upward(const Options& o)
 {
-  const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
-  return Kernel::Vector_3(d[0], d[1], d[2]);
+  const std::array<double, 3>& up = *o.up;
+  return Kernel::Vector_3(up[0], up[1], up[2]);
 }
 
 // The height of the lowest point of class 2, or, if there is none, of a shape.

@@ -10,6 +10,7 @@
 #include "messages.h"
 #include "output/write_results.h"
 
+#include <CGAL/Shape_regularization_tandem/upward_direction.h>
 #include <CGAL/Tandem/Statistics.h>
 
 #include <nlohmann/json.hpp>
@@ -60,11 +61,14 @@ struct Run {
   std::string device;                                     // "CPU", or what is known of it
   Tolerance_facts tolerance;
   bool has_outward_sides = false; // planes: normals are given, or the viewpoint is
-  std::size_t zeros = 0;          // points at 0 0 0 that --ignore-zeros leaves out
-  std::string mesh;               // what there is to say about it
-  std::string files;              // that were written
-  std::string planes_from;        // the file of known planes, or nothing
-  std::string selection;          // of shapes: the options, or nothing; and what there was before
+  CGAL::Tandem::Upward_direction up;
+  std::string up_source = "given"; // or "found" or "assumed"
+  double up_seconds = 0;           // of the detection that found it, where there was another one
+  std::size_t zeros = 0;           // points at 0 0 0 that --ignore-zeros leaves out
+  std::string mesh;                // what there is to say about it
+  std::string files;               // that were written
+  std::string planes_from;         // the file of known planes, or nothing
+  std::string selection;           // of shapes: the options, or nothing; and what there was before
   std::size_t detected_shapes = 0, detected_points = 0;
   int threads = 1, processes = 1;
   std::uint64_t hash = 0;
@@ -137,6 +141,7 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
                {"minimum_region_size", p.minimum_region_size},
                {"simplicity", p.simplicity},
                {"regularity", p.regularity},
+               {"fixed_regularity", p.fixed_regularity},
                {"surfel_size", p.surfel_size},
                {"k_neighbors", p.k_neighbors},
                {"cell_size", p.cell_size},
@@ -226,6 +231,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                        {"minimum", run.tolerance.smallest},
                        {"maximum", run.tolerance.largest},
                        {"note", run.tolerance.note}};
+  json["up"] = {{"direction", run.up.direction}, {"source", run.up_source}, {"seconds", run.up_seconds}};
   json["planes_from"] = run.planes_from.empty() ? Json() : Json(utf8(run.planes_from));
   json["selection"] = nullptr; // the outputs have all shapes that were detected
   if(!run.selection.empty())
@@ -260,6 +266,18 @@ inline void write_left_out(std::ostream& out, const CGAL::Tandem::Statistics& s,
     if(count > 0)
       out << std::exchange(before, ", ") << count << ' ' << cause;
   }
+}
+
+inline std::string up_text(const Run& run)
+{
+  const auto& [x, y, z] = run.up.direction;
+  const auto percent = [](double fraction) { return std::lround(100 * fraction); };
+  const std::string facts = text_of(": of the points in shapes, ", percent(run.up.level), " % are level and ",
+                                    percent(run.up.upright), " % upright");
+  return text_of(std::setprecision(4), x, ' ', y, ' ', z, ", ", run.up_source, run.up_source == "given" ? "" : facts,
+                 run.up_source == "assumed" ? " (--up X,Y,Z gives another one)" : "",
+                 run.up_seconds > 0 ? text_of(std::setprecision(3), ", by detections of ", run.up_seconds, " seconds")
+                                    : "");
 }
 
 inline std::string summary(const Shapes& shapes, const Run& run)
@@ -298,6 +316,7 @@ inline std::string summary(const Shapes& shapes, const Run& run)
                      << Visible{run.selection} << ")\n";
   row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
+  row("up") << up_text(run) << '\n';
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
                  << s.complexity << '\n';
   if(run.planes_from.empty())

@@ -27,8 +27,7 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
   if(!o.near_direction)
     return CGAL::Tandem::select_shapes(shapes, points, list);
   const Direction_choice& choice = *o.near_direction;
-  const std::array<double, 3>& upward = shapes.parameters().symmetry_direction;
-  const std::array<double, 3>& d = choice.of == Direction_choice::direction ? choice.normal : upward;
+  const std::array<double, 3>& d = choice.of == Direction_choice::direction ? choice.normal : *o.up;
   const Kernel::Vector_3 direction(d[0], d[1], d[2]);
   const auto near = list.near_angle(choice.degrees.value_or(10)); // the default of the library
   return choice.of == Direction_choice::vertical
@@ -47,7 +46,8 @@ const Json& Described_shapes::table() const
 {
   if(table_)
     return *table_;
-  const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(shapes, points, areas());
+  const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(
+    shapes, points, areas(), CGAL::Tandem::parameters::symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
   table_.emplace();
   tandem_examples::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
     Json& column = (*table_)[name] = Json::array();

@@ -36,7 +36,9 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
 // they are asked for first.
 class Described_shapes {
 public:
-  Described_shapes(const Point_set& points, const Shapes& shapes) : points(points), shapes(shapes) {}
+  Described_shapes(const Point_set& points, const Shapes& shapes, const std::array<double, 3>& up)
+    : points(points), shapes(shapes), up(up)
+  {}
 
   const Shape_areas& areas() const;
 
@@ -46,6 +48,7 @@ public:
 
   const Point_set& points;
   const Shapes& shapes;
+  const std::array<double, 3> up; // the direction upward
 
 private:
   mutable std::optional<Shape_areas> areas_;

@@ -128,7 +128,7 @@ Json json_of_scene(const Shapes& shapes, const Run& run, const Thinned_points& t
           {"maximum_distance", shapes.parameters().maximum_distance},
           {"center", {center.x(), center.y(), center.z()}},
           {"extent", {box.x_span(), box.y_span(), box.z_span()}},
-          {"up", shapes.parameters().symmetry_direction},
+          {"up", run.up.direction},
           {"orthogonal", shapes.orthogonal_groups()}};
 }
 

@@ -61,6 +61,9 @@ struct Parameters {
   /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Of
   /// directions that are opposite, or that make an angle of less than 1e-9 radians, only the first counts.
   std::vector<std::array<double, 3>> fixed_directions;
+  /// what a degree of freedom is worth that a fixed direction takes, if that is more than `regularity`, in [0, 10]: with 2,
+  /// hardly any shape within `angle_tolerance` keeps a direction of its own
+  double fixed_regularity = 0;
   /// whether shapes that make nearly the same angle with `symmetry_direction` get exactly the same. Then
   /// `symmetry_direction` is also a fixed direction, unless one of `fixed_directions` is the same direction: that one
   /// takes its place.
@@ -280,6 +283,7 @@ inline void check_parameters(const Parameters& p)
   internal::check_count(internal::minimum_region_size_range, p.minimum_region_size);
   internal::check_weight("simplicity", p.simplicity, internal::largest_simplicity);
   internal::check_weight("regularity", p.regularity, internal::largest_regularity);
+  internal::check_weight("fixed_regularity", p.fixed_regularity, internal::largest_regularity);
   internal::check_weight("surfel_size", p.surfel_size, internal::largest_surfel_size);
   internal::check_count(internal::k_neighbors_range, p.k_neighbors);
   internal::check_count(internal::cell_size_range, p.cell_size);

@@ -96,6 +96,8 @@ def test_the_same_bytes(p, written, n, normals):
     ("selection +[12] of [0-9]+ shapes.*hash", "{} --near-direction 0,0,1 --largest 2", OUTPUTS[:-1]),
     # A tile without points, of which a process has no other
     ("warning: class_none.ply: has no points", " ".join(CLASSES), CLASSES),
+    # Walls and floors that are exactly so
+    (" up +0 0 1, found.*hash", f"{ALL} --upright", OUTPUTS),
     # The sides of planes, by one viewpoint or that of each input
     ("normals estimated, towards the viewpoint\n.*hash", f"{ALL} --viewpoint 4,1.5,2 --oriented", OUTPUTS),
     ("normals estimated, towards the viewpoint\n.*hash", "corner.pcd folder/Middle.XYZ folder/sub/border.csv last.pcd",

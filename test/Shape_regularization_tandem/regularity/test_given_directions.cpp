@@ -104,6 +104,20 @@ BOOST_AUTO_TEST_CASE(fixed_direction)
   }
 }
 
+// A lean of 1 degree costs the points more than relations are worth by default.
+BOOST_AUTO_TEST_CASE(fixed_regularity)
+{
+  const Cloud cloud = make_house(1, 0);
+  Parameters p = make_house_parameters();
+  const Shapes free = detect_valid("free", cloud, p);
+  p.fixed_regularity = p.regularity;
+  check_equal(detect(cloud, p).hash(), free.hash(), "no more than others");
+  p.fixed_regularity = 2;
+  const Shapes fixed = detect_valid("fixed", cloud, p);
+  CHECK(count_related(free, 1) == std::make_pair(0, 1) && count_related(fixed, 1) == std::make_pair(1, 2));
+  check_equal(fixed.number_of_shapes(), std::size_t(7), "shapes");
+}
+
 // The groups of the roof: neither horizontal nor vertical.
 std::vector<std::size_t> roof_groups(const Shapes& shapes)
 {

@@ -317,15 +317,15 @@ Footprint rectangle(double x, double y, double right, double back)
 BOOST_AUTO_TEST_CASE(base)
 {
   const Roofs roofs;
-  check_close(roofs.volume(np::base_height(0.)) / 1140, 1, .02, "down to 0");
-  check_close(roofs.volume(np::base_height(-2.)) / 1460, 1, .02, "down to -2");
+  check_close(roofs.volume(np::base_height(0.)) / 1140, 1, .05, "down to 0");
+  check_close(roofs.volume(np::base_height(-2.)) / 1460, 1, .05, "down to -2");
   check_throws<std::invalid_argument>([&] { roofs.volume(np::base_height(std::nan(""))); }, {"base_height"}, __LINE__);
   const std::vector<Epick::Point_3> with_ground = airborne_scan(.5, 2);
   const Found_shapes shapes =
     CGAL::Tandem::detect_planes(with_ground, np::maximum_distance(.08).minimum_region_size(100));
   const double volume =
     checked_volume(CGAL::Tandem::closed_surface(shapes, with_ground, np::base_height(3.)), "above the ground");
-  check_close(volume / (1140 - 2 * 80 * 3), 1, .02, "above the ground");
+  check_close(volume / (1140 - 2 * 80 * 3), 1, .05, "above the ground");
 }
 
 // One solid for each: the second footprint has a courtyard, the others are parts of a house, side by side, and a field.
@@ -346,7 +346,8 @@ BOOST_AUTO_TEST_CASE(footprints)
   }
   check_close(sum / (1140 - 8 * 8.06), 1, .02, "the volume of all");
   CHECK(surface.number_of_planes == 4);
-  checked_volume(surface, "apart");
+  footprints.resize(2);
+  checked_volume(CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, np::footprints(footprints)), "apart");
   // Without a base, down to the lowest point near, which is that of the eaves.
   CHECK(roofs.volume(np::footprints(std::vector<Footprint>(1, footprints[0]))) < 4 * 8 * 3);
   check_throws<std::invalid_argument>(

@@ -59,15 +59,15 @@ private:
   void visit_parameters(CGAL::Tandem::Parameters& p)
   {
     auto& [distance, angle, tolerance, offset, size, simplicity, regularity, surfel, k, cell, parallelism,
-           orthogonality, coplanarity, fixed, is_symmetric, axis, period] = p;
+           orthogonality, coplanarity, fixed, fixed_regularity, is_symmetric, axis, period] = p;
     visit_all({"parameters.maximum_distance", "parameters.maximum_angle", "parameters.angle_tolerance",
                "parameters.maximum_offset", "parameters.minimum_region_size", "parameters.simplicity",
                "parameters.regularity", "parameters.surfel_size", "parameters.k_neighbors", "parameters.cell_size",
                "parameters.regularize_parallelism", "parameters.regularize_orthogonality",
-               "parameters.regularize_coplanarity", "parameters.fixed_directions",
+               "parameters.regularize_coplanarity", "parameters.fixed_directions", "parameters.fixed_regularity",
                "parameters.regularize_axis_symmetry", "parameters.symmetry_direction", "parameters.regularity_period"},
               distance, angle, tolerance, offset, size, simplicity, regularity, surfel, k, cell, parallelism,
-              orthogonality, coplanarity, fixed, is_symmetric, axis, period);
+              orthogonality, coplanarity, fixed, fixed_regularity, is_symmetric, axis, period);
   }
 
   // Each kind of value has its corruptions.

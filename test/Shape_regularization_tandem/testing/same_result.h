@@ -38,7 +38,7 @@ void add_bits(Words& words, Numbers... numbers)
 inline void add_parameters(Words& words, const Parameters& p)
 {
   add_bits(words, p.maximum_distance, p.maximum_angle, p.angle_tolerance, p.maximum_offset, p.simplicity, p.regularity,
-           p.surfel_size, p.minimum_region_size, p.k_neighbors, p.cell_size);
+           p.fixed_regularity, p.surfel_size, p.minimum_region_size, p.k_neighbors, p.cell_size);
 }
 
 // What a result says about shapes and their relations, as numbers: all but times, memory, and the name of the back end.

@@ -27,6 +27,7 @@ inline std::vector<std::pair<const char*, double>> listed(const Parameters& p)
     {"minimum_region_size", double(p.minimum_region_size)},
     {"simplicity", p.simplicity},
     {"regularity", p.regularity},
+    {"fixed_regularity", p.fixed_regularity},
     {"surfel_size", p.surfel_size},
     {"k_neighbors", double(p.k_neighbors)},
     {"cell_size", double(p.cell_size)},

@@ -58,6 +58,7 @@ public:
     const bool has_tolerance = sine_ > tuning::relations::same_direction;
     unites_ = options.parallelism && has_tolerance;
     relates_ = options.orthogonality && has_tolerance;
+    has_given_ = !options.fixed_directions.empty();
   }
 
   // Groups of these shapes with their directions. Those of given directions may be empty.
@@ -192,7 +193,7 @@ private:
   {
     if(g.is_given || !unites_)
       return -1;
-    const double most = options_.direction_price(g.largest);
+    const double most = options_.direction_price(g.largest, has_given_);
     const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, g.admissible_sine(most));
     std::pair<double, int> best(0, 1); // the gain, then -number
     index_.search(Near_direction_region(g.fitted, reach), [&](int k) {
@@ -207,7 +208,7 @@ private:
   double worth(const Direction_group& g, int placed) const
   {
     const Direction_group& other = group(placed);
-    return options_.price(other.is_given ? g.largest : (std::min)(g.largest, other.largest));
+    return options_.price(other.is_given ? g.largest : (std::min)(g.largest, other.largest), other.is_given);
   }
 
   // Groups that may be partners. chosen: so many groups have chosen again.
@@ -215,14 +216,13 @@ private:
   {
     if(!relates_)
       return {};
-    const double price = options_.direction_price(g.largest);
     const Stiffness stiffness(g.eigen);
-    Partner_region region(g, sine_, price);
+    Partner_region region(g, sine_, options_.direction_price(g.largest, has_given_));
     index_.search(region, [&](int number) {
       const int k = number % size();
       const Vector& d = group(k).direction;
       if(number >= chosen && !is_dependent_[std::size_t(k)] && std::fabs(dot(d, g.fitted)) < sine_ &&
-         stiffness.cost(d) < price)
+         stiffness.cost(d) < options_.direction_price(g.largest, group(k).is_given))
         region.add(k);
     });
     return region.first();
@@ -355,7 +355,7 @@ private:
   const Shape_fits& shapes_;
   const Regularity_parameters& options_;
   double sine_; // of the angle within which directions may be parallel or orthogonal
-  bool unites_, relates_;
+  bool unites_, relates_, has_given_;
   std::vector<Direction_group> groups_; // those that are placed
   Great_circle_index index_;            // of their directions
   std::vector<int> dependent_;          // on the group that chooses

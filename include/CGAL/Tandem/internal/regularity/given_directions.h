@@ -61,6 +61,7 @@ inline Regularity_parameters make_regularity_parameters(const Parameters& p, dou
   options.maximum_offset_steps = p.maximum_offset / step;
   options.maximum_distance_steps = p.maximum_distance / step;
   options.freedom = make_freedom_worth(p.regularity, minimum_size);
+  options.given_freedom = make_freedom_worth((std::max)(p.regularity, p.fixed_regularity), minimum_size);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;
   options.coplanarity = p.regularize_coplanarity;

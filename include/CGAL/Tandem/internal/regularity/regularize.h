@@ -169,12 +169,14 @@ inline void release_shapes(const Shape_fits& shapes, const Regularity_parameters
   const double sine = sine_deg(options.angle_tolerance_deg);
   std::vector<Direction_group> released;
   for(Direction_group& g : groups) {
+    const auto is_given = [&](int p) { return p >= 0 && groups[std::size_t(p)].is_given; };
+    const bool takes_given = g.is_given || is_given(g.partners[0]) || is_given(g.partners[1]);
     const auto is_kept = [&](int i) {
       const Scatter& s = shapes[std::size_t(i)].scatter;
       const Vector own = canonical(shapes[std::size_t(i)].fit.normal);
       const double cost = quadratic_form(s.matrix, g.direction) - quadratic_form(s.matrix, own);
       return g.direction == own ||
-             (squared_sine(g.direction, own) <= sine * sine && cost <= options.direction_price(s.count));
+             (squared_sine(g.direction, own) <= sine * sine && cost <= options.direction_price(s.count, takes_given));
     };
     const auto end = std::stable_partition(g.members.begin(), g.members.end(), is_kept);
     for(auto i = end; i != g.members.end(); ++i) {

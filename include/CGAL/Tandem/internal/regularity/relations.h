@@ -44,18 +44,20 @@ struct Regularity_parameters {
   double maximum_distance_steps = 0; // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
   Freedom_worth freedom = {};                // if two become one, the lower price is saved
+  Freedom_worth given_freedom = {};          // the same, if a fixed direction takes it: at least as much
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
   // What a degree of freedom is worth, by the points of the largest shape that has it: a sum of squared distances
   // (steps^2) that it may cost. An fma, so that no compiler contracts the product with a sum that it enters.
-  double price(double points) const
+  double price(double points, bool is_given = false) const
   {
-    return std::fma(maximum_distance_steps * maximum_distance_steps, freedom.of(points), 0.);
+    const Freedom_worth& worth = is_given ? given_freedom : freedom;
+    return std::fma(maximum_distance_steps * maximum_distance_steps, worth.of(points), 0.);
   }
 
   // That of the two degrees of freedom of a direction.
-  double direction_price(double points) const { return 2 * price(points); }
+  double direction_price(double points, bool is_given = false) const { return 2 * price(points, is_given); }
 };
 
 using Regular_planes = std::vector<Regular_plane>;
