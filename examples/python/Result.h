@@ -212,14 +212,14 @@ inline py::object axis(const CGAL::Tandem::Parameters& p)
 inline py::dict parameters(const Result& result)
 {
   const CGAL::Tandem::Parameters& p = result.shapes().parameters();
-  return py::dict("maximum_distance"_a = p.maximum_distance, "maximum_angle"_a = p.maximum_angle,
-                  "angle_tolerance"_a = p.angle_tolerance, "maximum_offset"_a = p.maximum_offset,
-                  "minimum_region_size"_a = p.minimum_region_size, "simplicity"_a = p.simplicity,
-                  "regularity"_a = p.regularity, "surfel_size"_a = p.surfel_size, "k_neighbors"_a = p.k_neighbors,
-                  "cell_size"_a = p.cell_size, "regularize_parallelism"_a = p.regularize_parallelism,
-                  "regularize_orthogonality"_a = p.regularize_orthogonality,
-                  "regularize_coplanarity"_a = p.regularize_coplanarity, "fixed_directions"_a = directions(p),
-                  "symmetry_direction"_a = axis(p));
+  return py::dict(
+    "maximum_distance"_a = p.maximum_distance, "maximum_angle"_a = p.maximum_angle,
+    "angle_tolerance"_a = p.angle_tolerance, "maximum_offset"_a = p.maximum_offset,
+    "minimum_region_size"_a = p.minimum_region_size, "simplicity"_a = p.simplicity, "regularity"_a = p.regularity,
+    "fixed_regularity"_a = p.fixed_regularity, "surfel_size"_a = p.surfel_size, "k_neighbors"_a = p.k_neighbors,
+    "cell_size"_a = p.cell_size, "regularize_parallelism"_a = p.regularize_parallelism,
+    "regularize_orthogonality"_a = p.regularize_orthogonality, "regularize_coplanarity"_a = p.regularize_coplanarity,
+    "fixed_directions"_a = directions(p), "symmetry_direction"_a = axis(p));
 }
 
 inline std::string text(const Result& result)

@@ -49,6 +49,7 @@ Parameters parameters_of(const Settings& s)
   p.minimum_region_size = above_zero("minimum_region_size", s.minimum_region_size, std::size_t(0));
   p.simplicity = s.simplicity.value_or(p.simplicity);
   p.regularity = s.regularity.value_or(p.regularity);
+  p.fixed_regularity = s.fixed_regularity.value_or(p.fixed_regularity);
   p.surfel_size = s.surfel_size.value_or(p.surfel_size);
   p.k_neighbors = above_zero("k_neighbors", s.k_neighbors, p.k_neighbors);
   p.cell_size = above_zero("cell_size", s.cell_size, p.cell_size);

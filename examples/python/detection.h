@@ -41,7 +41,7 @@ struct Cloud {
 // What is not given is left to the library.
 struct Settings {
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
-    surfel_size;
+    fixed_regularity, surfel_size;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
@@ -71,6 +71,21 @@ using Indices = std::vector<std::int32_t>;
 struct Polygon_tables {
   std::vector<Kernel::Point_3> vertices;
   Indices triangles, triangle_shape, loop_vertices, loop_starts = {0}, polygon_starts = {0}, polygon_shape;
+};
+
+struct Line_tables {
+  std::vector<Kernel::Point_3> vertices;
+  Indices segments, segment_shapes, corners, corner_shapes, corner_starts = {0};
+};
+
+// What closed_surface() is asked for. A footprint has its outer boundary first.
+struct Surface_settings {
+  using Ring = std::vector<std::array<double, 2>>;
+
+  std::optional<long long> planes, components;
+  std::optional<std::array<double, 3>> upward;
+  std::optional<double> base;
+  std::vector<std::vector<Ring>> footprints;
 };
 
 struct Surface_tables {
@@ -150,9 +165,10 @@ std::vector<CGAL::Tandem::Shape_facts> shape_facts(const Cloud& cloud, const Sha
 
 Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_each_plane);
 
+Line_tables lines(const Cloud& cloud, const Shapes& shapes);
+
 // Upward is the direction of the detection, if none is given.
-Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::optional<long long> planes,
-                              std::optional<long long> components, std::optional<std::array<double, 3>> upward);
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings);
 
 // Empty if the shapes have all that is guaranteed.
 std::string find_violation(const Cloud& cloud, const Shapes& shapes);

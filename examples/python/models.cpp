@@ -4,7 +4,10 @@
 #include "detection.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/lines.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
+
+#include <CGAL/Polygon_with_holes_2.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,6 +38,24 @@ int number_of(const std::optional<long long>& given, int otherwise)
   return given ? int((std::max)(Limits::min() + 0LL, (std::min)(*given, Limits::max() + 0LL))) : otherwise;
 }
 
+std::vector<CGAL::Polygon_with_holes_2<Kernel>> footprints_of(const Surface_settings& settings)
+{
+  const auto polygon_of = [](const Surface_settings::Ring& ring) {
+    CGAL::Polygon_2<Kernel> polygon;
+    for(const auto& [x, y] : ring)
+      polygon.push_back(Kernel::Point_2(x, y));
+    return polygon;
+  };
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> result;
+  for(const std::vector<Surface_settings::Ring>& rings : settings.footprints)
+    for(std::size_t i = 0; i < rings.size(); ++i)
+      if(i == 0)
+        result.emplace_back(polygon_of(rings[0]));
+      else
+        result.back().add_hole(polygon_of(rings[i]));
+  return result;
+}
+
 } // namespace
 
 Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_each_plane)
@@ -57,16 +78,32 @@ Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_e
   return result;
 }
 
-Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, std::optional<long long> planes,
-                              std::optional<long long> components, std::optional<std::array<double, 3>> upward)
+Line_tables lines(const Cloud& cloud, const Shapes& shapes)
 {
-  const std::array<double, 3> up = upward.value_or(shapes.parameters().symmetry_direction);
-  auto surface =
-    CGAL::Tandem::closed_surface(shapes, rows_of(cloud),
-                                 np::point_map(Point_map{cloud.points})
-                                   .maximum_number_of_planes(number_of(planes, (std::numeric_limits<int>::max)()))
-                                   .maximum_number_of_components(number_of(components, 0))
-                                   .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  auto found = CGAL::Tandem::lines(shapes, rows_of(cloud), np::point_map(Point_map{cloud.points}));
+  Line_tables result;
+  result.vertices = std::move(found.points);
+  for(const CGAL::Tandem::Indexed_segment& segment : found.segments) {
+    append(segment.ends, result.segments);
+    append(segment.shapes, result.segment_shapes);
+  }
+  for(const CGAL::Tandem::Indexed_corner& corner : found.corners) {
+    result.corners.push_back(std::int32_t(corner.point));
+    append_run(corner.shapes, result.corner_shapes, result.corner_starts);
+  }
+  return result;
+}
+
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings)
+{
+  const std::array<double, 3> up = settings.upward.value_or(shapes.parameters().symmetry_direction);
+  const auto all = np::point_map(Point_map{cloud.points})
+                     .maximum_number_of_planes(number_of(settings.planes, (std::numeric_limits<int>::max)()))
+                     .maximum_number_of_components(number_of(settings.components, 0))
+                     .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2]))
+                     .footprints(footprints_of(settings));
+  auto surface = settings.base ? CGAL::Tandem::closed_surface(shapes, rows_of(cloud), all.base_height(*settings.base))
+                               : CGAL::Tandem::closed_surface(shapes, rows_of(cloud), all);
   Surface_tables result;
   result.vertices = std::move(surface.points);
   for(const auto& triangle : surface.triangles)

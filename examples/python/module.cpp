@@ -7,6 +7,7 @@
 #include "Result.h"
 #include "pickling.h"
 
+#include <CGAL/Shape_regularization_tandem/upward_direction.h>
 #include <CGAL/Tandem/Parameters.h>
 
 #include <pybind11/stl.h>
@@ -143,11 +144,20 @@ py::tuple polygon_arrays(const Result& result, bool one_for_each_plane)
                         taken(t.loop_starts), taken(t.polygon_starts), taken(t.polygon_shape));
 }
 
-py::tuple surface_arrays(const Result& result, std::optional<long long> planes, std::optional<long long> components,
-                         std::optional<std::array<double, 3>> upward)
+py::tuple line_arrays(const Result& result)
 {
-  Surface_tables t = with_points(
-    result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), planes, components, upward); });
+  Line_tables t = with_points(result, [&](const Cloud& points) { return lines(points, result.shapes()); });
+  return py::make_tuple(taken(t.vertices, 3), taken(t.segments, 2), taken(t.segment_shapes, 2), taken(t.corners),
+                        taken(t.corner_shapes), taken(t.corner_starts));
+}
+
+py::tuple surface_arrays(const Result& result, std::optional<long long> planes, std::optional<long long> components,
+                         std::optional<std::array<double, 3>> upward, std::optional<double> base,
+                         const std::vector<std::vector<Surface_settings::Ring>>& footprints)
+{
+  const Surface_settings settings = {planes, components, upward, base, footprints};
+  Surface_tables t =
+    with_points(result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), settings); });
   return py::make_tuple(taken(t.vertices, 3), taken(t.triangles, 3), taken(t.triangle_face), taken(t.face_vertices),
                         taken(t.face_starts), taken(t.face_plane), taken(t.face_supported), t.supported,
                         t.number_of_points, t.number_of_planes, t.number_of_omitted_planes);
@@ -197,7 +207,10 @@ void add_selection(py::module_& module)
   module.def("select_shapes_by", &select_by);
   module.def("label_points", &label);
   module.def("polygons", &polygon_arrays);
+  module.def("lines", &line_arrays);
   module.def("closed_surface", &surface_arrays);
+  module.def("upward_direction",
+             [](const Result& result) { return triple(CGAL::Tandem::upward_direction(result.shapes()).direction); });
 }
 
 void add_settings(py::module_& module)
@@ -215,6 +228,7 @@ void add_settings(py::module_& module)
     .def_readwrite("minimum_region_size", &Settings::minimum_region_size)
     .def_readwrite("simplicity", &Settings::simplicity)
     .def_readwrite("regularity", &Settings::regularity)
+    .def_readwrite("fixed_regularity", &Settings::fixed_regularity)
     .def_readwrite("surfel_size", &Settings::surfel_size)
     .def_readwrite("k_neighbors", &Settings::k_neighbors)
     .def_readwrite("cell_size", &Settings::cell_size)

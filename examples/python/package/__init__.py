@@ -24,11 +24,11 @@ import numpy.typing as npt
 from . import _tandem
 from ._arguments import (_count, _direction, _directions, _labels, _normals, _number, _points, _rows, _set, _switch,
                          _tolerances)
-from ._models import ClosedSurface, Polygons
+from ._models import ClosedSurface, Lines, Polygons
 from ._selection import _check_result, label_points, select_shapes
 from ._tandem import ParameterError, PlanarShapes, __version__
 
-__all__ = ["ClosedSurface", "EstimatedParameters", "ParameterError", "PlanarShapes", "PlaneRelations", "Polygons",
+__all__ = ["ClosedSurface", "EstimatedParameters", "Lines", "ParameterError", "PlanarShapes", "PlaneRelations", "Polygons",
            "TandemWarning", "__version__", "backends", "detect_planes", "estimate_local_distances", "estimate_parameters",
            "find_violation", "label_points", "regularize_planes", "select_shapes"]
 
@@ -73,6 +73,7 @@ def detect_planes(
     minimum_region_size: Optional[int] = None,
     simplicity: Optional[float] = None,
     regularity: Optional[float] = None,
+    fixed_regularity: Optional[float] = None,
     surfel_size: Optional[float] = None,
     k_neighbors: Optional[int] = None,
     cell_size: Optional[int] = None,
@@ -112,6 +113,8 @@ def detect_planes(
                              and larger shapes. None: 0.08
         regularity           what a degree of freedom is worth, in minimum_region_size, in [0, 10]. Larger: more
                              relations. None: 0.1
+        fixed_regularity     the same for relations to fixed_directions and symmetry_direction, if that is more. With 2,
+                             nearly all shapes within angle_tolerance become parallel or orthogonal to them. None: 0
         surfel_size          width of the cubes whose points are taken as one while shapes grow, divided by
                              maximum_distance, in [0, 0.55]; 0: each point by itself; None: 0.55
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
@@ -149,7 +152,7 @@ def detect_planes(
     settings = _tandem.default_settings()
     _set(settings, _number, maximum_distance=maximum_distance, maximum_angle=maximum_angle,
          angle_tolerance=angle_tolerance, maximum_offset=maximum_offset, simplicity=simplicity, regularity=regularity,
-         surfel_size=surfel_size)
+         fixed_regularity=fixed_regularity, surfel_size=surfel_size)
     _set(settings, _count, minimum_region_size=minimum_region_size, k_neighbors=k_neighbors, cell_size=cell_size,
          threads=threads)
     settings.backend = _backend(backend)

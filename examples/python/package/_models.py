@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _direction, _switch
+from ._arguments import _count, _direction, _number, _switch
 from ._tandem import PlanarShapes, __version__
 
 
@@ -32,6 +32,17 @@ class Polygons(NamedTuple):
         """
         loops = np.split(self.vertices[self.loop_vertices], self.loop_starts[1:-1])
         return [loops[first:last] for first, last in zip(self.polygon_starts[:-1], self.polygon_starts[1:])]
+
+
+class Lines(NamedTuple):
+    """The lines at which shapes meet: s segments where two do, and c corners where three do, in new arrays."""
+
+    vertices: npt.NDArray[np.float64]  #: (v, 3): ends of segments and corners, each once, in units of the points
+    segments: npt.NDArray[np.int32]  #: (s, 2): the vertices of both ends
+    segment_shapes: npt.NDArray[np.int32]  #: (s, 2): the two shapes, ascending
+    corners: npt.NDArray[np.int32]  #: (c,): the vertex of each corner, ascending
+    corner_shapes: npt.NDArray[np.int32]  #: the shapes of all corners
+    corner_starts: npt.NDArray[np.int32]  #: (c + 1,): corner i has corner_shapes[corner_starts[i]:corner_starts[i + 1]]
 
 
 class ClosedSurface(NamedTuple):
@@ -65,12 +76,31 @@ def polygons(self: PlanarShapes, one_for_each_plane: bool = False) -> Polygons:
     return Polygons(*_tandem.polygons(self, _switch("one_for_each_plane", one_for_each_plane)))
 
 
+def lines(self: PlanarShapes) -> Lines:
+    """Returns the lines at which the shapes meet: segments in the outlines of two shapes, and corners of three.
+
+    The function reads the array of points of detect_planes() again, and raises ValueError if a point in the array has
+    changed and is no longer on its plane. Other threads of Python run during the call.
+    """
+    return Lines(*_tandem.lines(self))
+
+
+def upward_direction(self: PlanarShapes) -> Tuple[float, float, float]:
+    """Returns the unit vector upward, to which most points are level, as floors are, or upright, as walls are.
+
+    It is z where that holds for z, or where the shapes do not tell.
+    """
+    return _tandem.upward_direction(self)
+
+
 def closed_surface(
     self: PlanarShapes,
     *,
     maximum_number_of_planes: Optional[int] = None,
     maximum_number_of_components: Optional[int] = None,
     symmetry_direction: Optional[npt.ArrayLike] = None,
+    base_height: Optional[float] = None,
+    footprints: Optional[Sequence[Sequence[npt.ArrayLike]]] = None,
 ) -> ClosedSurface:
     """Returns a closed surface whose faces are in the planes of the shapes: each edge has two faces, oriented alike.
 
@@ -83,6 +113,11 @@ def closed_surface(
         maximum_number_of_components  how many components the surface may have, those with the largest areas; None or 0:
                                       all that have at least a hundredth of the area of the largest
         symmetry_direction            three numbers: the direction upward; None: that of detect_planes(), or z
+        base_height                   the height of the ground, in units of the points: nothing below is inside, and roofs
+                                      are closed down to it. None: not known
+        footprints                    polygons, each a sequence of rings: (k, 2) numbers, the outer boundary first, then
+                                      the holes, as xy of the points. Each has a surface of its own, with walls on its
+                                      edges, down to base_height or the lowest point of a shape near. None: one of all
 
     The function reads the array of points of detect_planes() again. Other threads of Python run during the call.
 
@@ -93,7 +128,16 @@ def closed_surface(
     planes = _count("maximum_number_of_planes", maximum_number_of_planes)
     components = _count("maximum_number_of_components", maximum_number_of_components)
     upward = _direction("symmetry_direction", symmetry_direction)
-    return ClosedSurface(*_tandem.closed_surface(self, planes, components, upward))
+    rings = [[_ring(ring) for ring in footprint] for footprint in footprints or []]
+    base = _number("base_height", base_height)
+    return ClosedSurface(*_tandem.closed_surface(self, planes, components, upward, base, rings))
+
+
+def _ring(corners: npt.ArrayLike) -> List[List[float]]:
+    ring = np.asarray(corners, np.float64)
+    if ring.ndim != 2 or ring.shape[1] != 2:
+        raise ValueError(f"a ring of footprints must have the shape (k, 2), but has {ring.shape}")
+    return ring.tolist()  # type: ignore[no-any-return]
 
 
 def _unpickled(version: str, *state: Any) -> PlanarShapes:
@@ -106,5 +150,6 @@ def _reduced(self: PlanarShapes) -> Tuple[Any, ...]:
     return _unpickled, (__version__, *_tandem.state_of(self))
 
 
-for _name, _method in {"polygons": polygons, "closed_surface": closed_surface, "__reduce__": _reduced}.items():
+for _name, _method in {"polygons": polygons, "lines": lines, "closed_surface": closed_surface, "upward_direction": upward_direction,
+                       "__reduce__": _reduced}.items():
     setattr(PlanarShapes, _name, _method)

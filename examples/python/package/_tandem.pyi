@@ -1,12 +1,12 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ._models import ClosedSurface, Polygons
+from ._models import ClosedSurface, Lines, Polygons
 
 __version__: str
 
@@ -57,7 +57,11 @@ class PlanarShapes:
         maximum_number_of_planes: Optional[int] = None,
         maximum_number_of_components: Optional[int] = None,
         symmetry_direction: Optional[npt.ArrayLike] = None,
+        base_height: Optional[float] = None,
+        footprints: Optional[Sequence[Sequence[npt.ArrayLike]]] = None,
     ) -> ClosedSurface: ...
+    def lines(self) -> Lines: ...
+    def upward_direction(self) -> Tuple[float, float, float]: ...
     def __len__(self) -> int: ...
 
 class Settings:
@@ -68,6 +72,7 @@ class Settings:
     minimum_region_size: Optional[int]
     simplicity: Optional[float]
     regularity: Optional[float]
+    fixed_regularity: Optional[float]
     surfel_size: Optional[float]
     k_neighbors: Optional[int]
     cell_size: Optional[int]
@@ -132,7 +137,11 @@ def closed_surface(
     planes: Optional[int],
     components: Optional[int],
     upward: Optional[Tuple[float, float, float]],
+    base: Optional[float],
+    footprints: List[List[List[Tuple[float, float]]]],
 ) -> Tuple[Any, ...]: ...
+def lines(shapes: PlanarShapes) -> Tuple[Any, ...]: ...
+def upward_direction(shapes: PlanarShapes) -> Tuple[float, float, float]: ...
 def state_of(shapes: PlanarShapes) -> Tuple[Any, ...]: ...
 def result_of(
     bytes: bytes,

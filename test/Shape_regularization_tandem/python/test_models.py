@@ -117,6 +117,51 @@ def test_arguments_of_surfaces():
             shapes.closed_surface(**given)
 
 
+def roof():
+    """Two sides of a roof over 10 x 8, the ridge at 9, the eaves at 6"""
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(.1, 10, .2), np.arange(.1, 8, .2)))
+    return np.stack([x, y, 9 - .75 * abs(y - 4) + .01 * np.sin(9 * x + 7 * y)], axis=1)
+
+
+def test_ground():
+    shapes = tandem.detect_planes(roof(), maximum_distance=0.05)
+    rectangle = [(0, 0), (10, 0), (10, 8), (0, 8)]
+    for arguments, expected in (({"base_height": 0}, 600), ({"base_height": 0, "footprints": [[rectangle]]}, 600),
+                                ({"footprints": [[rectangle, [(2, 2), (2, 4), (4, 4), (4, 2)]]]}, 120 - 9)):
+        surface = shapes.closed_surface(**arguments)
+        check_closed(surface)
+        assert volume(surface) == pytest.approx(expected, rel=.06)
+    with pytest.raises(ValueError, match="shape"):
+        shapes.closed_surface(footprints=[[[(0, 0, 0), (1, 0, 0), (0, 1, 0)]]])
+    with pytest.raises(ValueError, match="simple"):
+        shapes.closed_surface(footprints=[[[(0, 0), (1, 1), (1, 0), (0, 1)]]])
+    with pytest.raises(tandem.ParameterError, match="base_height"):
+        shapes.closed_surface(base_height=np.nan)
+
+
+def test_lines():
+    shapes = shapes_of_room()
+    lines = shapes.lines()
+    check_kinds(lines._replace(segments=lines.corners, segment_shapes=lines.corners))
+    assert lines.segments.shape == lines.segment_shapes.shape == (12, 2) and len(lines.corners) == 8
+    for shape in lines.segment_shapes.T:
+        for end in lines.segments.T:
+            planes = shapes.planes[shape]
+            assert (abs((planes[:, :3] * lines.vertices[end]).sum(axis=1) + planes[:, 3]) < 1e-9).all()
+    assert (np.diff(lines.corner_starts) == 3).all()
+    assert shapes.upward_direction() == (0, 0, 1)
+
+
+def test_upright():
+    turn = np.radians(2)
+    y, z = (c.ravel() for c in np.meshgrid(np.arange(0, 4, .05), np.arange(0, 3, .05)))
+    walls = [np.stack([y, np.zeros(y.size), z], axis=1), np.stack([np.zeros(y.size), y + z * np.sin(turn), z], axis=1),
+             np.stack([4 + z * np.sin(turn), y, z], axis=1), np.stack([y, z, np.zeros(y.size)], axis=1)]
+    up = (0, 0, 1)
+    shapes = tandem.detect_planes(np.concatenate(walls), maximum_distance=.02, fixed_directions=[up], fixed_regularity=2)
+    assert set(abs(shapes.planes[:, 2])) <= {0., 1.} and shapes.parameters["fixed_regularity"] == 2
+
+
 def test_without_shapes():
     with pytest.warns(tandem.TandemWarning, match="no shape was found"):
         shapes = tandem.detect_planes(np.zeros((3, 3)), maximum_distance=1)
