@@ -336,7 +336,6 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(!o.footprint.empty() && o.mesh.empty(), "--footprint needs --mesh");
   refuse_if(o.mesh_seconds && o.mesh.empty(), "--mesh-seconds needs --mesh");
   refuse_if(o.mesh_components && o.mesh.empty(), "--mesh-components needs --mesh");
-  check_count("mesh-components", o.mesh_components, 1, 1000000);
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, (std::numeric_limits<int>::max)());
   check_count("largest", o.largest, 1, 1LL << 31);
   refuse_if(!detects && has_library_normals,

@@ -201,9 +201,19 @@ inline void add_output_options(po::options_description& visible, po::options_des
       "a closed surface made of the planes: .off, .obj, .ply or .city.json (CityJSON 2.0 with a building for each "
       "component, and roofs, walls and ground); the normals need no orientation. The program makes the "
       "surface after all other files");
-  add(group, "mesh-components", number_option(o.mesh_components, "N"),
-      "--mesh keeps the N components with the largest areas; without this option all that have at least a hundredth of "
-      "the area of the largest");
+  add(group, "mesh-components",
+      parsed_option("N",
+                    [&o](const std::string& text) {
+                      constexpr long long all = 1000000;
+                      const std::optional<double> number = parse_number(text);
+                      refuse_if(text != "all" &&
+                                  !(number && *number >= 1 && *number <= all && *number == std::floor(*number)),
+                                "--mesh-components is '", text, "', must be all or a whole number from 1 to ", all);
+                      o.mesh_components = number ? (long long)(*number) : all;
+                    }),
+      "--mesh keeps the N components with the largest areas, or all; without this option all that have at least a "
+      "hundredth "
+      "of the area of the largest");
   add(group, "mesh-planes", number_option(o.mesh_planes, "N"), "--mesh uses only the N planes with most points");
   add(
     group, "base",

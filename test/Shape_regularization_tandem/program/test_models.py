@@ -206,6 +206,7 @@ test_bad_usage = cases([
     ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
     ("base needs --mesh", "cube.ply --base 0"), ("footprint needs --mesh", "cube.ply --footprint f.geojson"),
     ("base is 'low', must be a height or ground", "cube.ply --mesh m.off --base low"),
+    ("mesh-components is '0', must be all or a whole number", "missing.ply --mesh m.off --mesh-components 0"),
     ("mesh-seconds needs --mesh", "cube.ply --mesh-seconds 9"),
     ("mesh-planes is 3, allowed is .4, 2147483647.", "missing.ply --mesh m.off --mesh-planes 3"),
     ("mesh-seconds is 0, must be positive", "missing.ply --mesh m.off --mesh-seconds 0"),
@@ -235,6 +236,7 @@ def test_parts_of_a_surface(p):
     """The largest component of two; and in PLY, how much of each face has points."""
     p(0, r"mesh +6 faces, of 6 of 12 planes, with 50 % of the points of shapes \(the others enclose no volume: .* a part\); "
       r"\d+ % of its area has points", "boxes.xyz E --mesh one.ply --mesh-components 1")
+    p(0, r"mesh +12 faces", "boxes.xyz E --mesh all.ply --mesh-components all")
     lines = p.lines("one.ply")
     assert "property double supported" in lines
     shares = [float(line.split()[-1]) for line in lines[-6:]]

@@ -81,14 +81,6 @@ inline Vector normal_of(const std::vector<Point>& corners)
 
 inline double area_of(const std::vector<Point>& corners) { return std::sqrt(normal_of(corners).squared_length()) / 2; }
 
-inline double extent_of(const CGAL::Bbox_3& box)
-{
-  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
-}
-
-// Places in a box that are closer are one.
-inline double resolution_of(const CGAL::Bbox_3& box) { return 1e-7 * extent_of(box); }
-
 // The ends of an edge, in any direction.
 using Edge = std::pair<int, int>;
 

@@ -183,16 +183,17 @@ private:
 
 class Inside_cells {
 public:
-  Inside_cells(const Cells& cells, const Inside_cost& cost)
+  Inside_cells(const Cells& cells, const Inside_cost& cost, const Model_progress& progress)
     : cells_(cells), cost_(cost), has_changed_(cells.cells.size())
   {
     cut();
+    progress.check(.4);
     for(std::size_t f = 0; f < cells.facets.size(); ++f)
       for_each_edge(cells.facets[f].vertices, [&](int u, int v) {
         facets_of_edge_[edge_of(u, v)].push_back(int(f));
         facets_of_vertex_[u].push_back(int(f));
       });
-    make_manifold();
+    make_manifold(progress);
   }
 
   bool is_inside(int cell) const { return cell != none && is_inside_[std::size_t(cell)]; }
@@ -226,17 +227,20 @@ private:
   }
 
   // Two facets at each edge, and one fan of them at each vertex.
-  void make_manifold()
+  void make_manifold(const Model_progress& progress)
   {
     bool has_changed = true;
     while(has_changed) {
       has_changed = false;
+      progress.check(.6);
       for(const auto& [edge, facets] : facets_of_edge_)
         for(; number_on_boundary(facets) > 2; has_changed = true)
           change_cheapest(facets);
-      for(const auto& [vertex, facets] : facets_of_vertex_)
+      for(const auto& [vertex, facets] : facets_of_vertex_) {
+        progress.check(.8);
         for(; !is_fan(vertex, facets); has_changed = true)
           change_cheapest(facets);
+      }
     }
   }
 

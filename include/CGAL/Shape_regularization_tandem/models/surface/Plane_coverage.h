@@ -40,6 +40,14 @@ Any_point zero_between(const Any_point& p, double a, const Any_point& q, double 
   return p + a / (a - b) * (q - p);
 }
 
+inline double extent_of(const CGAL::Bbox_3& box)
+{
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+// Places in a box that are closer are one.
+inline double resolution_of(const CGAL::Bbox_3& box) { return 1e-7 * extent_of(box); }
+
 // --- Convex polygons, counterclockwise
 
 // Of the point to the left of an edge.

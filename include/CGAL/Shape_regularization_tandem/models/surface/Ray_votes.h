@@ -39,6 +39,8 @@ public:
     }
     tree_.insert(triangles_.begin(), triangles_.end());
     tree_.build();
+    if(!tree_.empty())
+      start_ = resolution_of(tree_.bbox());
     const Vector axis = Kernel::Plane_3(CGAL::ORIGIN, up).base1();
     const Vector first = axis / std::sqrt(axis.squared_length()), second = CGAL::cross_product(up, first);
     constexpr double golden_angle = 2.399963; // neighbors on the spiral are far apart
@@ -95,7 +97,7 @@ private:
   int vote(const Point& start, const Vector& direction, std::size_t own) const
   {
     std::vector<Triangles::const_iterator> met;
-    tree_.all_intersected_primitives(Kernel::Ray_3(start, direction), std::back_inserter(met));
+    tree_.all_intersected_primitives(Kernel::Ray_3(start + start_ * direction, direction), std::back_inserter(met));
     std::vector<std::size_t> crossed;
     for(const Triangles::const_iterator& t : met) {
       const Owner& owner = owners_[std::size_t(t - triangles_.begin())];
@@ -113,6 +115,7 @@ private:
   std::vector<Owner> owners_; // of the triangles
   Tree tree_;
   std::vector<Vector> directions_;
+  double start_ = 0; // of a ray, beside its place: predicates are fast where it is on no plane
 };
 
 } // namespace CGAL::Tandem::internal::surface

@@ -232,7 +232,7 @@ inline Surface_table surface_of_site(const Surface_scene& scene, const Site& sit
   begin_stage(.7);
   const Inside_cost cost(cells, planes.planes, site, progress);
   begin_stage(.9);
-  const Inside_cells inside(cells, cost);
+  const Inside_cells inside(cells, cost, progress);
   const std::vector<Face> faces =
     faces_of_components(Boundary_faces(cells, inside).faces(), cost.area, request.most_components);
   begin_stage(1);
