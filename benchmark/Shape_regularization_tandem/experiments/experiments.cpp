@@ -57,7 +57,7 @@ public:
     append_task(row, c.name, c.cloud.points.size(), task);
     append_run(row, run);
     if(run.finished)
-      append_judgement(row, c, task, neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance), run);
+      append_judgement(row, c, task, run);
     rows_.push_back(row);
     print(row, trial.columns);
   }
