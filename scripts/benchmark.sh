@@ -89,8 +89,7 @@ build_program
 forget_results
 measure compare "$@"
 if [ $# -eq 0 ]; then
-  for experiment in table1 robustness regularity cell-size synergy stability labels scaling; do
-    measure "$experiment"
-  done
+  measure robustness
+  measure synergy
 fi
 echo "Tables: $result"

@@ -5,8 +5,8 @@
 # Builds the manual as HTML, after installing Doxygen if it is missing. Fails on any warning. Numbers of the method are
 # those of the headers of tuning constants, by tuning.py beside its pages.
 # A new page is listed in the table of Shape_regularization_tandem.txt and in the \tandemPages of the pages before and
-# after it, a new picture in HTML_EXTRA_FILES of the Doxyfile, a new example in examples.txt. After a change of the results,
-# figures/draw.py draws pictures and writes tables again.
+# after it, a new example in examples.txt. After a change of the results, figures/draw.py draws pictures and writes tables
+# again.
 #   TANDEM_DOC_DIR    where to (default: build/doc of this repository)
 #   TANDEM_CGAL_TAGS  folder of the tag files of CGAL's manual (NAME.tag), with which names of CGAL are links to
 #                     https://doc.cgal.org (default: where CGAL's documentation is installed, if it is; empty: no links)
@@ -45,6 +45,7 @@ if [ -n "$tags" ]; then
   [ -n "$links" ] || fail "$tags has no tag file of a package that the manual depends on"
 fi
 cd "$root"
-{ cat "$doc/Doxyfile" && printf '%s\n' "$settings" "${links:-}"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
+pictures=$(echo doc/Shape_regularization_tandem/fig/*)
+{ cat "$doc/Doxyfile" && printf '%s\n' "HTML_EXTRA_FILES = $pictures" "$settings" "${links:-}"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
   { cat "$TANDEM_DOC_DIR/doxygen.log" >&2; fail "Doxygen has warnings or errors"; }
 echo "Manual: $TANDEM_DOC_DIR/html/index.html"

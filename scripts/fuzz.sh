@@ -17,6 +17,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TANDEM_FUZZ_DIR:-${TANDEM_BUILD_DIR:-$root/build}/fuzz}
 sources=$root/test/Shape_regularization_tandem/fuzz
+help=$root/doc/Shape_regularization_tandem/tables/help.out
 targets=${1:-all}
 [ "$targets" != all ] || targets='ply xyz off las pcd ptx options'
 
@@ -34,9 +35,12 @@ for target in $targets; do
     { cat "$build/build.log" >&2; exit 1; }
   mkdir -p "$build/corpus/$target"
   log=$build/$target.log
+  # Words of the dictionary and, for options, their names in the help that the manual has.
+  { cat "$sources/$target.dict"; [ "$target" != options ] || sed -n 's/^  \(-[a-z] \[ \)\{0,1\}\(--[a-z-]*\).*/"\2"/p' "$help"; } \
+    > "$build/$target.dict"
   # shellcheck disable=SC2086
   "$build/test/Shape_regularization_tandem/fuzz/fuzz_$target" $limits -max_total_time="${2:-60}" -seed="${3:-0}" \
-    -dict="$sources/$target.dict" -artifact_prefix="$build/faults/$target-" \
+    -dict="$build/$target.dict" -artifact_prefix="$build/faults/$target-" \
     "$build/corpus/$target" "$sources/corpus/$target" > "$log" 2>&1 || {
     grep -v '^#[0-9]\|NEW_FUNC' "$log" | tail -n 60 >&2
     echo "fuzz.sh: fuzz_$target has found a fault: see $build/faults and $log" >&2

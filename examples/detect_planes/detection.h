@@ -430,7 +430,7 @@ inline Shapes detect_upward(const Point_set& points, Options& o, Processes& proc
     run.up.direction = *o.up;
     return detect_on_backend(points, o, processes);
   }
-  const Box box = box_of(points, processes).box;
+  const Box box = tandem_examples::box_of(points.points(), processes).box;
   const auto center = [&box](int c) { return (box.min(c) + box.max(c)) / 2; };
   const auto expected = CGAL::Tandem::expected_upward_direction({center(0), center(1), center(2)});
   o.up = expected;

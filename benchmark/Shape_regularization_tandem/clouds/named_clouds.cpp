@@ -52,21 +52,6 @@ Named_cloud noisy_house(const House& house)
   return cloud_of("house", std::move(scene), task);
 }
 
-Named_cloud house_scan(std::size_t points)
-{
-  scenes::Options o;
-  o.points = points;
-  o.noise = 0.0005;
-  o.outliers = 0.02;
-  o.varies_density = true;
-  o.normals = scenes::Normals::perturbed;
-  Task task;
-  task.maximum_distance = 0.06;
-  task.minimum_region_size = (std::max)(std::size_t(20), points / 2000);
-  task.cluster_epsilon = 0.2;
-  return cloud_of("scan", scenes::make_scene("house", o), task);
-}
-
 namespace {
 
 // Empty if there is no such file. Samples that the script has fetched lie beside the results.
@@ -150,14 +135,6 @@ void complete_normals(Named_cloud& named)
 } // namespace
 
 std::vector<Row> cloud_table() { return read_csv(TANDEM_BENCHMARK_SOURCES "/clouds.csv"); }
-
-Row cloud_row(const std::string& name)
-{
-  for(const Row& row : cloud_table())
-    if(cell(row, "name") == name)
-      return row;
-  throw std::invalid_argument("clouds.csv has no " + name);
-}
 
 bool is_available(const Row& row, const Experiment_options& options)
 {

@@ -22,7 +22,6 @@ struct Named_cloud {
 
 // The rows of clouds.csv in the folder of the benchmark.
 std::vector<Row> cloud_table();
-Row cloud_row(const std::string& name);
 
 // Whether the cloud of such a row is part of the run: its file is there, and it is for --quick, if that is asked for.
 bool is_available(const Row& row, const Experiment_options& options);
@@ -46,9 +45,6 @@ struct House {
 
 // A house whose normals are as noisy as its points; epsilon follows the noise, as a user would choose it.
 Named_cloud noisy_house(const House& house);
-
-// A laser scan of the house; clouds of different size differ in density only.
-Named_cloud house_scan(std::size_t points);
 
 } // namespace CGAL::Tandem::benchmark
 

@@ -26,7 +26,6 @@ struct Task {
   double angle_tolerance_deg = 8;                // beta, of all that regularize
   double maximum_offset = -1;                    // sigma, of all that regularize; negative: epsilon
   unsigned k_neighbors = 12;                     // Tandem and region growing
-  std::size_t cell_size = 8192;                  // Tandem
   double cluster_epsilon = -1;                   // RANSAC; negative: 1 % of the diagonal, its default
   unsigned threads = 0;                          // of parallel contestants; 0: as many as there are processors
   unsigned seed = 0;                             // of randomized contestants

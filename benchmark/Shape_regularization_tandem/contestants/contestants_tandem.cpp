@@ -33,7 +33,6 @@ Parameters parameters_of(const Task& task)
   p.angle_tolerance = task.angle_tolerance_deg;
   p.minimum_region_size = task.minimum_region_size;
   p.k_neighbors = task.k_neighbors;
-  p.cell_size = task.cell_size;
   p.simplicity = task.simplicity;
   p.regularity = task.regularity;
   p.regularity_period = task.regularity_period;

@@ -7,8 +7,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_JUDGEMENT_H
 
 #include "clouds/named_clouds.h"
-#include "result_score.h"
 #include "segmentation.h"
+#include "table.h"
 
 namespace CGAL::Tandem::benchmark {
 
@@ -18,15 +18,12 @@ inline const std::vector<Vec>& normals_of(const Named_cloud& c, const Run& run)
   return run.normals.empty() ? c.cloud.normals : run.normals;
 }
 
-// graph: that of the cloud, for its epsilon and k.
-inline void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Neighbor_graph& graph,
-                             const Run& run)
+inline void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Run& run)
 {
   const std::vector<Vec>&points = c.cloud.points, &normals = normals_of(c, run);
   const std::size_t minimum = task.minimum_region_size;
   append_criteria(row, evaluate(points, normals, run.detection, task.tolerances()));
   append_curves(row, evaluate_curves(points, normals, run.detection, task.tolerances()));
-  append_score(row, evaluate_score({points, normals, graph, task.tolerances(), minimum}, run.detection), points.size());
   const bool is_known = !c.truth.faces.empty();
   append_truth(row, is_known,
                is_known ? evaluate_truth(c.truth, run.detection, extent_of(points), minimum) : Truth_criteria());

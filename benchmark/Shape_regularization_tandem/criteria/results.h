@@ -10,11 +10,7 @@
 #include "contestants/Contestant.h"
 #include "table.h"
 
-#include <thread>
-
 namespace CGAL::Tandem::benchmark {
-
-inline unsigned number_of_processors() { return (std::max)(1u, std::thread::hardware_concurrency()); }
 
 inline void append_task(Row& row, const std::string& cloud, std::size_t points, const Task& task)
 {

@@ -30,8 +30,7 @@ std::vector<Contestant> chosen(const Experiment_options& options, std::vector<st
 class Comparison {
 public:
   Comparison(const Experiment_options& options, const Named_cloud& named, const std::vector<Contestant>& contestants)
-    : options_(options), named_(named),
-      graph_(neighbor_graph(named.cloud.points, named.task.k_neighbors, named.task.maximum_distance))
+    : options_(options), named_(named)
   {
     for(const Contestant& c : contestants)
       entries_.push_back({c, {}});
@@ -99,7 +98,7 @@ private:
     append_run(row, run);
     if(!run.finished)
       return row;
-    append_judgement(row, named_, named_.task, graph_, run);
+    append_judgement(row, named_, named_.task, run);
     std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
     for(const Run& r : entry.runs)
       if(r.finished)
@@ -111,7 +110,6 @@ private:
 
   const Experiment_options& options_;
   const Named_cloud& named_;
-  Neighbor_graph graph_;
   std::vector<Entry> entries_;
 };
 

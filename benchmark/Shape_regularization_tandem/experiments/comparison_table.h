@@ -34,7 +34,6 @@ inline const Criterion shown_criteria[] = {{"seconds", "seconds", 1, 2, Better::
                                            {"cpx", "complexity_relaxed", 1, 3, Better::lower},
                                            {"cover.%", "coverage", 100, 1, Better::higher},
                                            {"top10%", "top_10_shapes", 100, 1, Better::higher},
-                                           {"S", "score_of_point", 1, 3, Better::higher},
                                            {"mean/e", "mean_distance_in_epsilons", 1, 3, Better::lower},
                                            {"max/e", "max_distance_in_epsilons", 1, 1, Better::lower},
                                            {">eps", "beyond_epsilon", 1, 0, Better::lower},
@@ -161,8 +160,7 @@ inline void print_legend()
 {
   std::printf("%s", R"(
 * better than Tandem. Seconds: wall clock without reading, median of the runs. B/point: peak memory beyond the input. cpx: complexity,
-smaller is more regular, with relations within 1e-6. top10%: points in the ten largest shapes that are within the tolerances. S:
-the score per point of the cloud. mean/e, max/e: distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes
+smaller is more regular, with relations within 1e-6. top10%: points in the ten largest shapes that are within the tolerances. mean/e, max/e: distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes
 that violate the tolerances. Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at
 an intersection over union of one half; prec.: of points. again%: points in another shape when the method runs once more (RANSAC:
 with another seed). results.csv has more columns.

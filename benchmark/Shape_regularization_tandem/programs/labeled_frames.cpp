@@ -4,15 +4,15 @@
 // Tandem on generated clouds with true labels, with given and with its own normals: a line each, then means. Its CMake
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
-//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/*.cpp criteria/result_score.cpp
+//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/*.cpp
 //     clouds/named_clouds.cpp -DTANDEM_BENCHMARK_SOURCES='"."'
 //     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [--contestant NAME] [PART...]
 // only clouds whose group or name contains one of the PARTs. Another contestant: growing or ransac, say.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
-// of shapes, F1 at .5, precision of points, ratio of the points in the ten largest shapes and faces, score per point
-// (criteria/segmentation.h, criteria/result_score.h). Of walls: the scenes in which each face has a shape of its own, the
-// ratio of a face in its main shape, of the worst face and of all.
+// of shapes, F1 at .5, precision of points, ratio of the points in the ten largest shapes and faces
+// (criteria/segmentation.h). Of walls: the scenes in which each face has a shape of its own, the ratio of a face in its
+// main shape, of the worst face and of all.
 
 #include "clouds/named_clouds.h"
 #include "contestants/Contestant.h"
@@ -28,15 +28,13 @@ namespace {
 
 const std::vector<std::string> columns = {
   "segmentation_f", "mean_iou",   "segmentation_precision", "segmentation_recall", "over_segmented", "under_segmented",
-  "shapes",         "face_f1_50", "point_precision",        "top_10_shapes",       "top_10_faces",   "score_of_point"};
+  "shapes",         "face_f1_50", "point_precision",        "top_10_shapes",       "top_10_faces"};
 // Of the file.
 const char* const written_columns =
   "group cloud normals points shapes coverage mean_distance_in_epsilons degrees_of_freedom_relaxed planes_relaxed "
   "segmentation_f mean_iou segmentation_precision segmentation_recall over_segmented under_segmented "
-  "top_10_shapes top_10_faces true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed score_fit "
-  "score_links score_size score_price score_freedom score_of_point";
-const char* const titles =
-  "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec   top10   faces       S";
+  "top_10_shapes top_10_faces true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed";
+const char* const titles = "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec   top10   faces";
 
 using Values = std::vector<double>;
 
@@ -72,10 +70,8 @@ public:
       const Named_cloud cloud = make_cloud(frame);
       if(groups.empty() || groups.back() != frame.group)
         groups.push_back(frame.group);
-      const Neighbor_graph graph =
-        neighbor_graph(cloud.cloud.points, cloud.task.k_neighbors, cloud.task.maximum_distance);
       for(int own : {0, 1}) {
-        rows_.push_back(row(frame, cloud, graph, own));
+        rows_.push_back(row(frame, cloud, own));
         Values values;
         for(const std::string& column : columns)
           values.push_back(std::strtod(cell(rows_.back(), column).c_str(), nullptr));
@@ -128,11 +124,11 @@ private:
     return run(contestant_, cloud.cloud, task);
   }
 
-  Row row(const scenes::Labeled_scene& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
+  Row row(const scenes::Labeled_scene& frame, const Named_cloud& cloud, int own) const
   {
     Row all = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}}, row;
     append_cell(all, "points", cloud.cloud.points.size());
-    append_judgement(all, cloud, cloud.task, graph, detect(cloud, own));
+    append_judgement(all, cloud, cloud.task, detect(cloud, own));
     std::istringstream columns(written_columns);
     for(std::string column; columns >> column;)
       row.emplace_back(column, cell(all, column));

@@ -4,7 +4,6 @@
 // The score of a result beside its definition, computed by brute force in double from labels and planes; and the parts
 // of it in integers.
 
-#include "criteria/result_score.h"
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/score/Score.h>
@@ -13,10 +12,10 @@
 
 BOOST_AUTO_TEST_SUITE(test_score)
 
-using namespace CGAL::Tandem::benchmark;
 using CGAL::Tandem::Result_score;
 using CGAL::Tandem::internal::fixed_log2;
 using CGAL::Tandem::internal::Score;
+using scenes::Vec;
 
 bool are_near(double a, double b, double margin) { return std::fabs(a - b) <= margin; }
 
@@ -171,20 +170,6 @@ void check_result(const std::string& name, double maximum_distance, std::size_t 
                of_directions = expected.freedom - found.freedom;
   CHECK_AT(of_directions >= directions * (.1 * m + .01 * m) - .01, name);
   CHECK_AT(of_directions <= directions * (.1 * m + .01 * largest) + .01, name);
-
-  // The same by the function that values peers.
-  Detection detection{{}, {}};
-  detection.label.assign(shapes.shape_indices().begin(), shapes.shape_indices().end());
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const auto& c = shapes.coefficients(s);
-    detection.planes.push_back({{c[0], c[1], c[2]}, c[3]});
-  }
-  const Neighbor_graph graph = neighbor_graph(scene.points, shapes.parameters().k_neighbors, maximum_distance);
-  const Result_score again = evaluate_score(
-    {scene.points, scene.normals, graph, {maximum_distance, shapes.parameters().maximum_angle}, minimum}, detection);
-  CHECK_AT(are_near(again.fit, found.fit, .005 * points), name);
-  CHECK_AT(again.links == found.links && again.size == found.size && again.price == found.price, name);
-  CHECK_AT(are_near(again.freedom, found.freedom, .01), name);
 }
 
 BOOST_AUTO_TEST_CASE(test_results)
