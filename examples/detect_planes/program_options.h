@@ -296,7 +296,7 @@ inline void add_up_options(po::options_description& group, Options& o)
                     if(text != "auto")
                       o.up = parse_three("up", text, Three::direction);
                   }),
-    "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, --view and the walls of "
+    "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, the page and the walls of "
     "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
     "level or upright to another direction only, as from a camera. The program prints it (default: "
     "--symmetry-direction, or auto)");
