@@ -28,7 +28,6 @@ using Outline_shapes = Planar_shapes_3<Outline_kernel>;
 struct Cloud_with_shapes {
   Outline_cloud cloud;
   Outline_shapes shapes;
-  scenes::Scene scene; // of the house; without points for a file
 };
 
 constexpr const char* cloud_arguments = "CLOUD.ply DISTANCE ANGLE SIZE | house [POINTS [NOISE]]";
@@ -58,17 +57,17 @@ inline Cloud_with_shapes cloud_with_shapes(const std::vector<std::string>& argum
     Outline_cloud cloud = points_with_normals<Outline_kernel>(input.points, input.normals);
     const Parameters p = outline_parameters(std::stod(arguments[1]), std::stod(arguments[2]), std::stoul(arguments[3]));
     Outline_shapes shapes = shapes_of(cloud, input.has_normals(), p);
-    return {std::move(cloud), std::move(shapes), {}};
+    return {std::move(cloud), std::move(shapes)};
   }
   if(arguments.empty() || arguments.size() > 3 || arguments[0] != "house")
     throw std::invalid_argument(std::string("usage: ") + cloud_arguments);
   scenes::Options options;
   options.points = arguments.size() > 1 ? std::stoul(arguments[1]) : 100000;
   options.noise = arguments.size() > 2 ? std::stod(arguments[2]) : .0004;
-  scenes::Scene scene = scenes::make_scene(scenes::make_house(), options);
+  const scenes::Scene scene = scenes::make_scene(scenes::make_house(), options);
   Outline_cloud cloud = points_with_normals<Outline_kernel>(scene.points, scene.normals);
   Outline_shapes shapes = shapes_of(cloud, true, outline_parameters(.03, 25, 100));
-  return {std::move(cloud), std::move(shapes), std::move(scene)};
+  return {std::move(cloud), std::move(shapes)};
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -24,7 +24,6 @@ struct Task {
   double maximum_angle_deg = 25.841932763167124; // alpha: a cosine of 0.9, as in the paper
   std::size_t minimum_region_size = 200;         // points
   double angle_tolerance_deg = 8;                // beta, of all that regularize
-  double maximum_offset = -1;                    // sigma, of all that regularize; negative: epsilon
   unsigned k_neighbors = 12;                     // Tandem and region growing
   double cluster_epsilon = -1;                   // RANSAC; negative: 1 % of the diagonal, its default
   unsigned threads = 0;                          // of parallel contestants; 0: as many as there are processors
@@ -35,7 +34,6 @@ struct Task {
   std::size_t regularity_period = Parameters().regularity_period;
   bool regularizes = true;
 
-  double offset() const { return maximum_offset < 0 ? maximum_distance : maximum_offset; }
   Tolerances tolerances() const { return {maximum_distance, maximum_angle_deg}; }
 };
 

@@ -286,7 +286,7 @@ Run regularize_step(const Ply_cloud& cloud, const Task& task, const Run& base)
                                                     CGAL::parameters::plane_index_map(make_property_map(index))
                                                       .regularize_axis_symmetry(uses_symmetry)
                                                       .maximum_angle(task.angle_tolerance_deg)
-                                                      .maximum_offset(task.offset()));
+                                                      .maximum_offset(task.maximum_distance));
   run.regularization_seconds = meter.lap();
   std::transform(planes.begin(), planes.end(), run.detection.planes.begin(), normalized);
   move(run.detection.planes, center);

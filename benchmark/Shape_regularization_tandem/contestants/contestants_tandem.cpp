@@ -44,7 +44,7 @@ template <class Tag>
 Shapes detect(const std::vector<Point_with_normal>& range, const Task& task, bool estimates)
 {
   const auto np =
-    Tandem::parameters::settings(parameters_of(task)).maximum_offset(task.offset()).point_map(Point_map());
+    Tandem::parameters::settings(parameters_of(task)).maximum_offset(task.maximum_distance).point_map(Point_map());
   return estimates ? detect_planes<Tag>(range, np) : detect_planes<Tag>(range, np.normal_map(Normal_map()));
 }
 

@@ -1,12 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tandem on generated clouds with true labels, with given and with its own normals: a line each, then means. Its CMake
-// target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
-//   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
-//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/*.cpp
-//     clouds/named_clouds.cpp -DTANDEM_BENCHMARK_SOURCES='"."'
-//     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
+// Tandem on generated clouds with true labels, with given and with its own normals: a line each, then means.
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [--contestant NAME] [PART...]
 // only clouds whose group or name contains one of the PARTs. Another contestant: growing or ransac, say.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number

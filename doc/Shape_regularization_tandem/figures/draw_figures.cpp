@@ -31,18 +31,6 @@ using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Range, Point_map, Normal_ma
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 using CGAL::Tandem::Parameters;
 
-Range range_of(const Ply_cloud& cloud)
-{
-  if(!cloud.has_normals())
-    throw std::runtime_error("the cloud has no normals");
-  Range range;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const Vec &p = cloud.points[i], &n = cloud.normals[i];
-    range.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-  }
-  return range;
-}
-
 auto named(const Parameters& p)
 {
   return np::settings(p).maximum_offset(p.maximum_distance).point_map(Point_map()).normal_map(Normal_map());
@@ -107,7 +95,8 @@ private:
 class Figures {
 public:
   Figures(const Ply_cloud& cloud, const Parameters& right, const std::string& clouds, const std::string& tables)
-    : cloud_(cloud), points_(range_of(cloud)), clouds_(clouds + "/"), tables_(tables + "/"), right_(right)
+    : cloud_(cloud), points_(points_with_normals<Kernel>(cloud.points, cloud.normals)), clouds_(clouds + "/"),
+      tables_(tables + "/"), right_(right)
   {
     final_shapes_ = detect(right_);
   }
@@ -203,6 +192,8 @@ try {
     return 2;
   }
   const Ply_cloud cloud = read_ply(argv[1]);
+  if(!cloud.has_normals())
+    throw std::runtime_error("the cloud has no normals");
   Parameters right;
   right.maximum_distance = std::atof(argv[2]);
   right.maximum_angle = std::atof(argv[3]);

@@ -36,7 +36,7 @@ struct Thread_tag {};
 
 namespace internal {
 
-class Thread_backend : public Host_operations<Thread_backend> {
+class Thread_backend : public Host_operations<Thread_backend>, public Shared_atomics {
 public:
   explicit Thread_backend(unsigned threads = default_threads) : threads_(threads) {}
 
@@ -100,44 +100,6 @@ public:
   {
     count(size);
     run(ranges, [&](std::size_t c, unsigned) { std::sort(key + range[c].first, key + range[c].last); });
-  }
-
-  template <class T>
-  static T atomic_add(T& target, T value)
-  {
-    return __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
-  }
-
-  template <class T>
-  static T atomic_min(T& target, T value)
-  {
-    T old = atomic_load(target);
-    while(value < old &&
-          !__atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
-    return old;
-  }
-
-  template <class T>
-  static void atomic_max(T& target, T value)
-  {
-    T old = atomic_load(target);
-    while(old < value &&
-          !__atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
-  }
-
-  template <class T>
-  static T atomic_load(const T& target)
-  {
-    return __atomic_load_n(&target, __ATOMIC_RELAXED);
-  }
-
-  template <class T>
-  static T atomic_exchange_if(T& target, T expected, T value)
-  {
-    __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
-    return expected;
   }
 
 private:

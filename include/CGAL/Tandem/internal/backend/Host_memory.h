@@ -34,6 +34,46 @@ public:
   }
 };
 
+// Atomic where several threads of the host run; Plain_atomics says what each operation does. Relaxed order suffices:
+// functors of a loop do not synchronize, and the end of the loop does.
+struct Shared_atomics {
+  template <class T>
+  static T atomic_add(T& target, T value)
+  {
+    return __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static T atomic_min(T& target, T value)
+  {
+    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
+    while(value < old && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+    return old;
+  }
+
+  template <class T>
+  static void atomic_max(T& target, T value)
+  {
+    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
+    while(old < value && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+  }
+
+  template <class T>
+  static T atomic_load(const T& target)
+  {
+    return __atomic_load_n(&target, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return expected;
+  }
+};
+
 // The operations that are made of others in the same way on every back end of the host, which has in addition
 //   for_each_piece(n, grain, f)       f(first, last) for the pieces of [0, n) that begin at the multiples of grain
 template <class Backend>

@@ -41,7 +41,7 @@ private:
   void (*call_)(const void*, std::size_t);
 };
 
-class Tbb_backend : public Host_operations<Tbb_backend> {
+class Tbb_backend : public Host_operations<Tbb_backend>, public Shared_atomics {
 public:
   static const char* name() { return "parallel"; }
 
@@ -106,43 +106,6 @@ public:
       boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
     };
     run(ranges, Index_functor(sort_range));
-  }
-
-  // Relaxed order suffices: functors of a loop do not synchronize, and the end of the loop does.
-  template <class T>
-  static T atomic_add(T& target, T value)
-  {
-    return __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
-  }
-
-  template <class T>
-  static T atomic_min(T& target, T value)
-  {
-    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
-    while(value < old && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
-    return old;
-  }
-
-  template <class T>
-  static void atomic_max(T& target, T value)
-  {
-    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
-    while(old < value && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
-  }
-
-  template <class T>
-  static T atomic_load(const T& target)
-  {
-    return __atomic_load_n(&target, __ATOMIC_RELAXED);
-  }
-
-  template <class T>
-  static T atomic_exchange_if(T& target, T expected, T value)
-  {
-    __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
-    return expected;
   }
 
 private:
