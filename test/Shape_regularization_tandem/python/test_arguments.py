@@ -113,8 +113,8 @@ def test_parameter_error():
 
 def test_they_are_used():
     given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
-             "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
-             "k_neighbors": 15, "cell_size": 4096, **dict.fromkeys(SWITCHES, False),
+             "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "fixed_regularity": 2,
+             "surfel_size": 0.25, "k_neighbors": 15, "cell_size": 4096, **dict.fromkeys(SWITCHES, False),
              "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
     shapes = tandem.detect_planes(*room(), **given)
     assert shapes.parameters == given

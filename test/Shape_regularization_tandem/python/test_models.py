@@ -153,7 +153,7 @@ def test_lines():
 
 
 def test_upright():
-    turn = np.radians(2)
+    turn = np.radians(.3)
     y, z = (c.ravel() for c in np.meshgrid(np.arange(0, 4, .05), np.arange(0, 3, .05)))
     walls = [np.stack([y, np.zeros(y.size), z], axis=1), np.stack([np.zeros(y.size), y + z * np.sin(turn), z], axis=1),
              np.stack([4 + z * np.sin(turn), y, z], axis=1), np.stack([y, z, np.zeros(y.size)], axis=1)]
