@@ -289,17 +289,17 @@ inline std::string short_help(const Built_with& built, const po::options_descrip
 
 inline void add_up_options(po::options_description& group, Options& o)
 {
-  add(
-    group, "up",
-    parsed_option("X,Y,Z",
-                  [&o](const std::string& text) {
-                    if(text != "auto")
-                      o.up = parse_three("up", text, Three::direction);
-                  }),
-    "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, the page and the walls of "
-    "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
-    "level or upright to another direction only, as from a camera. The program prints it (default: "
-    "--symmetry-direction, or auto)");
+  add(group, "up",
+      parsed_option("X,Y,Z",
+                    [&o](const std::string& text) {
+                      if(text != "auto")
+                        o.up = parse_three("up", text, Three::direction);
+                    }),
+      "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, the page and the walls "
+      "of "
+      "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
+      "level or upright to another direction only, as from a camera. The program prints it (default: "
+      "--symmetry-direction, or auto)");
   add(
     group, "upright", po::bool_switch(&o.is_upright),
     "make walls exactly upright, floors exactly level and the sides of roofs equally steep, within the angle "
