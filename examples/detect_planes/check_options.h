@@ -334,6 +334,8 @@ inline void check(const Options& o, const Built_with& built)
   refuse_if(o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh");
   refuse_if((o.base_height || o.is_base_ground) && o.mesh.empty(), "--base needs --mesh");
   refuse_if(!o.footprint.empty() && o.mesh.empty(), "--footprint needs --mesh");
+  refuse_if(!o.footprint.empty() && o.up && *o.up != std::array<double, 3>{0, 0, 1},
+            "--footprint is seen along z, so --up must be 0,0,1");
   refuse_if(o.mesh_seconds && o.mesh.empty(), "--mesh-seconds needs --mesh");
   refuse_if(o.mesh_components && o.mesh.empty(), "--mesh-components needs --mesh");
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, (std::numeric_limits<int>::max)());

@@ -352,16 +352,17 @@ try {
     return true;
   };
   if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes, show)) {
-    const bool is_part = 3 * facts->points < 2 * points && o.footprint.empty();
+    const bool is_part = 3 * facts->points < 2 * points && o.footprint.empty() && !o.mesh_components;
     const std::size_t omitted = facts->omitted_planes;
     run.mesh = text_of(
       facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",
       omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "", ", with ",
       100 * facts->points / points, " % of the points of shapes",
-      is_part
-        ? " (the others enclose no volume: --base HEIGHT closes roofs; or scan the missing sides, or --crop a part)"
-        : "",
-      "; ", std::lround(100 * facts->supported), " % of its area has points");
+      is_part ? text_of(" (the others enclose no volume: ", facts->base ? "" : "--base HEIGHT closes roofs; or ",
+                        "scan the missing sides, or --crop a part)")
+              : "",
+      facts->base ? text_of("; on the ground at ", *facts->base) : "", "; ", std::lround(100 * facts->supported),
+      " % of its area has points");
   }
   return {};
 } catch(const std::bad_alloc&) {
@@ -442,7 +443,8 @@ void run(Options o, Processes& processes, Made_folders& folders)
     files->commit();
     folders.keep();
     end_at_signal();
-    check_signals();
+    if(is_interrupted())
+      throw_error("interrupted; the files are complete");
   });
   finish(*files, *shapes, o, processes, run);
 }

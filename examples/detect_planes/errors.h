@@ -16,6 +16,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 namespace program {
 
@@ -114,14 +115,23 @@ inline void request_end(int signal)
   errno = error;
 }
 
-// Where a file that is not complete is all that there is to lose, the first signal ends the process.
+// When all files but the mesh are complete: exit code 1.
+inline void end_mesh(int)
+{
+  constexpr char message[] = "detect_planes: interrupted; the other files are complete\n";
+  remove_names();
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(1);
+}
+
+// Then the first signal ends the process.
 inline void end_at_signal()
 {
   for(int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action = {};
     sigaction(signal, nullptr, &action);
     if(action.sa_handler == request_end)
-      handle(signal, end_by_signal);
+      handle(signal, end_mesh);
   }
 }
 

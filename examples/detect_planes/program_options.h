@@ -221,17 +221,20 @@ inline void add_output_options(po::options_description& visible, po::options_des
                   [&o](const std::string& text) {
                     o.is_base_ground = text == "ground";
                     o.base_height = parse_number(text);
-                    refuse_if(!o.base_height && !o.is_base_ground, "--base is '", text,
-                              "', must be a height or ground");
+                    refuse_if(!o.is_base_ground && !(o.base_height && std::isfinite(*o.base_height)), "--base is '",
+                              text, "', must be a height or ground");
                   }),
     "--mesh closes roofs down to this height, below which nothing is inside; ground: that of the lowest point of class "
-    "2, or, where no point has that class, of a shape");
+    "2, or, where no point has that class, of a shape. What is as low as the base, and shapes of class 2, are no part "
+    "of "
+    "the mesh");
   add(group, "footprint", text_option(o.footprint, "FILE"),
       "--mesh makes one solid for each polygon of this GeoJSON file, of the points in it, with walls on its edges, "
       "down to "
       "--base, or to the lowest point of a shape near");
   add(group, "mesh-seconds", number_option(o.mesh_seconds, "S"),
-      "--mesh takes at most about S seconds: if all planes take longer than S/2, a quarter of them is used, those with "
+      "--mesh takes at most about S seconds: if all planes take longer than half of what the outlines leave, a quarter "
+      "is used, those with "
       "most "
       "points, and so on. What is left out then depends on the machine");
   visible.add(group);
@@ -287,17 +290,22 @@ inline std::string short_help(const Built_with& built, const po::options_descrip
 
 // --- The options of the command line that say what is upward.
 
+inline std::array<double, 3> unit_vector(const std::array<double, 3>& v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
 inline void add_up_options(po::options_description& group, Options& o)
 {
   add(group, "up",
       parsed_option("X,Y,Z",
                     [&o](const std::string& text) {
                       if(text != "auto")
-                        o.up = parse_three("up", text, Three::direction);
+                        o.up = unit_vector(parse_three("up", text, Three::direction));
                     }),
       "the direction upward, for dip, azimuth, heights, 'vertical' and 'horizontal', --upright, the page and the walls "
-      "of "
-      "--mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
+      "of --mesh; auto: z, or away from the earth in geocentric coordinates (ECEF, in meters), unless most points are "
       "level or upright to another direction only, as from a camera. The program prints it (default: "
       "--symmetry-direction, or auto)");
   add(

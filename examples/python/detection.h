@@ -168,7 +168,8 @@ Polygon_tables polygons(const Cloud& cloud, const Shapes& shapes, bool one_for_e
 Line_tables lines(const Cloud& cloud, const Shapes& shapes);
 
 // Upward is the direction of the detection, if none is given.
-Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings);
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings,
+                              const CGAL::Tandem::Callback& callback);
 
 // Empty if the shapes have all that is guaranteed.
 std::string find_violation(const Cloud& cloud, const Shapes& shapes);

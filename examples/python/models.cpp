@@ -47,12 +47,11 @@ std::vector<CGAL::Polygon_with_holes_2<Kernel>> footprints_of(const Surface_sett
     return polygon;
   };
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> result;
-  for(const std::vector<Surface_settings::Ring>& rings : settings.footprints)
-    for(std::size_t i = 0; i < rings.size(); ++i)
-      if(i == 0)
-        result.emplace_back(polygon_of(rings[0]));
-      else
-        result.back().add_hole(polygon_of(rings[i]));
+  for(const std::vector<Surface_settings::Ring>& rings : settings.footprints) {
+    result.emplace_back(rings.empty() ? CGAL::Polygon_2<Kernel>() : polygon_of(rings[0])); // an empty one is refused
+    for(std::size_t i = 1; i < rings.size(); ++i)
+      result.back().add_hole(polygon_of(rings[i]));
+  }
   return result;
 }
 
@@ -94,14 +93,16 @@ Line_tables lines(const Cloud& cloud, const Shapes& shapes)
   return result;
 }
 
-Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings)
+Surface_tables closed_surface(const Cloud& cloud, const Shapes& shapes, const Surface_settings& settings,
+                              const CGAL::Tandem::Callback& callback)
 {
   const std::array<double, 3> up = settings.upward.value_or(shapes.parameters().symmetry_direction);
   const auto all = np::point_map(Point_map{cloud.points})
                      .maximum_number_of_planes(number_of(settings.planes, (std::numeric_limits<int>::max)()))
                      .maximum_number_of_components(number_of(settings.components, 0))
                      .symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2]))
-                     .footprints(footprints_of(settings));
+                     .footprints(footprints_of(settings))
+                     .callback(callback);
   auto surface = settings.base ? CGAL::Tandem::closed_surface(shapes, rows_of(cloud), all.base_height(*settings.base))
                                : CGAL::Tandem::closed_surface(shapes, rows_of(cloud), all);
   Surface_tables result;

@@ -156,8 +156,9 @@ py::tuple surface_arrays(const Result& result, std::optional<long long> planes, 
                          const std::vector<std::vector<Surface_settings::Ring>>& footprints)
 {
   const Surface_settings settings = {planes, components, upward, base, footprints};
-  Surface_tables t =
-    with_points(result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), settings); });
+  const auto callback = [](double fraction) { return report_progress(py::none(), fraction); };
+  Surface_tables t = with_points(
+    result, [&](const Cloud& points) { return closed_surface(points, result.shapes(), settings, callback); });
   return py::make_tuple(taken(t.vertices, 3), taken(t.triangles, 3), taken(t.triangle_face), taken(t.face_vertices),
                         taken(t.face_starts), taken(t.face_plane), taken(t.face_supported), t.supported,
                         t.number_of_points, t.number_of_planes, t.number_of_omitted_planes);

@@ -19,14 +19,18 @@ CGAL::Polygon_2<Kernel> polygon_of(const Json& ring)
     result.push_back(Kernel::Point_2(corner.at(0).get<double>(), corner.at(1).get<double>()));
   if(result.size() > 1 && result[0] == result[result.size() - 1])
     result.erase(result.vertices_end() - 1);
+  if(result.size() < 3 || !result.is_simple())
+    throw_error("a boundary of a polygon touches itself, or has less than three corners");
   return result;
 }
 
 void add_footprint(const Json& rings, Footprints& footprints)
-{
+try {
   footprints.emplace_back(polygon_of(rings.at(0)));
   for(std::size_t i = 1; i < rings.size(); ++i)
     footprints.back().add_hole(polygon_of(rings[i]));
+} catch(const std::runtime_error& e) {
+  throw_error("polygon ", footprints.size() + 1, ": ", e.what());
 }
 
 void add_footprints(const Json& object, Footprints& footprints)
@@ -61,6 +65,8 @@ try {
   if(result.empty())
     throw_error("has no polygons");
   return result;
+} catch(const Json::exception& e) {
+  throw_error("--footprint ", path, ": is no GeoJSON: ", e.what());
 } catch(const std::exception& e) {
   throw_error("--footprint ", path, ": ", e.what());
 }

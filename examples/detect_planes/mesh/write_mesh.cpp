@@ -6,6 +6,7 @@
 #include "mesh/footprints.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -26,11 +27,31 @@ Kernel::Vector_3 upward(const Options& o)
   return Kernel::Vector_3(up[0], up[1], up[2]);
 }
 
+constexpr std::uint8_t ground_class = 2; // of LAS
+
+using Classes = std::optional<Point_set::Property_map<std::uint8_t>>;
+
+// Those of which most points are not classified as ground.
+Shapes shapes_on_ground(const Point_set& points, const Shapes& shapes)
+{
+  const Classes classes = find_property<std::uint8_t>(points, classification_name);
+  if(!classes)
+    return shapes;
+  std::vector<std::size_t> kept;
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    std::size_t of_ground = 0;
+    for(std::uint32_t i : shapes.points(s))
+      of_ground += (*classes)[*(points.begin() + i)] == ground_class;
+    if(2 * of_ground <= shapes.size(s))
+      kept.push_back(s);
+  }
+  return select_shapes(shapes, kept);
+}
+
 // The height of the lowest point of class 2, or, if there is none, of a shape.
 double ground(const Point_set& points, const Shapes& shapes, const Kernel::Vector_3& up)
 {
-  constexpr std::uint8_t ground_class = 2; // of LAS
-  const auto classes = find_property<std::uint8_t>(points, classification_name);
+  const Classes classes = find_property<std::uint8_t>(points, classification_name);
   double of_class = std::numeric_limits<double>::infinity(), of_shapes = of_class;
   for(Point_set::Index i : points) {
     const double height = (points.point(i) - CGAL::ORIGIN) * up / std::sqrt(up.squared_length());
@@ -42,44 +63,53 @@ double ground(const Point_set& points, const Shapes& shapes, const Kernel::Vecto
   return std::isfinite(of_class) ? of_class : of_shapes;
 }
 
-// Calls the library with the base and the footprints, if there are any.
-template <class Parameters>
-Surface surface_on_ground(const Point_set& points, const Shapes& shapes, const Options& o, const Parameters& all)
+// What the surface stands on, if that is known.
+struct Ground {
+  std::optional<double> base;
+  Footprints footprints;
+};
+
+Ground ground_of(const Point_set& points, const Shapes& shapes, const Options& o)
 {
-  const auto with_base = [&](const auto& parameters) {
-    if(!o.base_height && !o.is_base_ground)
-      return CGAL::Tandem::closed_surface(shapes, points, parameters);
-    const double base = o.base_height ? *o.base_height : ground(points, shapes, upward(o));
-    return CGAL::Tandem::closed_surface(shapes, points, parameters.base_height(base));
-  };
-  return o.footprint.empty() ? with_base(all) : with_base(all.footprints(read_footprints(o.footprint)));
+  Ground result;
+  result.base = o.is_base_ground ? ground(points, shapes, upward(o)) : o.base_height;
+  if(!o.footprint.empty())
+    result.footprints = read_footprints(o.footprint);
+  return result;
 }
 
-// Of as many planes as there is time for: all of them in half of it, a quarter of them in half of the rest, and so on.
-Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o,
+// Of as many planes as there is time for after the outlines: all of them in half of it, a quarter of them in half of the
+// rest, and so on.
+Surface make_surface(const Point_set& points, const Shapes& shapes, const Ground& ground, const Options& o,
                      const CGAL::Tandem::Callback& show)
 {
   using Clock = std::chrono::steady_clock;
+  Clock::time_point start = Clock::now();
+  const Shape_areas areas = CGAL::Tandem::polygons(shapes, points);
   std::chrono::duration<double> left(o.mesh_seconds.value_or(std::numeric_limits<double>::infinity()));
+  left -= Clock::now() - start;
   long long planes = o.mesh_planes.value_or((std::numeric_limits<int>::max)());
-  while(planes >= fewest_mesh_planes) {
-    const Clock::time_point start = Clock::now();
+  while(planes >= fewest_mesh_planes && left.count() > 0) {
+    start = Clock::now();
     bool is_late = false;
     const auto callback = [&](double progress) {
       is_late = 2 * (Clock::now() - start) > left;
       return show(progress) && !is_late;
     };
-    Surface surface = surface_on_ground(points, shapes, o,
-                                        CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
-                                          .maximum_number_of_components(int(o.mesh_components.value_or(0)))
-                                          .symmetry_direction(upward(o))
-                                          .callback(callback));
+    const auto all = CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
+                       .maximum_number_of_components(int(o.mesh_components.value_or(0)))
+                       .symmetry_direction(upward(o))
+                       .footprints(ground.footprints)
+                       .callback(callback);
+    Surface surface = ground.base ? closed_surface(shapes, points, areas, all.base_height(*ground.base))
+                                  : closed_surface(shapes, points, areas, all);
     if(!is_late)
       return surface;
     left -= Clock::now() - start;
     planes = (std::min)(planes, (long long)(shapes.statistics().number_of_planes)) / 4;
   }
-  throw_error("--mesh: there is no surface within the ", *o.mesh_seconds, " seconds of --mesh-seconds");
+  throw_error("--mesh: there is no surface within ", *o.mesh_seconds,
+              " seconds; pass a larger number to --mesh-seconds");
 }
 
 void write_surface(std::ostream& out, const Surface& surface, const std::string& extension)
@@ -228,22 +258,36 @@ void write_city_json(std::ostream& out, const Surface& surface, const Options& o
 
 } // namespace
 
-Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
+Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& all_shapes, const Options& o,
                       const CGAL::Tandem::Callback& show)
 {
-  const Surface surface = make_surface(points, shapes, o, show);
+  const Ground ground = ground_of(points, all_shapes, o);
+  const bool has_ground = ground.base || !ground.footprints.empty();
+  const Shapes& shapes = has_ground ? shapes_on_ground(points, all_shapes) : all_shapes;
+  const Surface surface = make_surface(points, shapes, ground, o, show);
   const std::size_t planes = surface.number_of_planes;
+  if(surface.is_empty() && !ground.footprints.empty())
+    throw_error(
+      "--mesh: no footprint has a volume: are its coordinates those of the cloud, and is the base below its roofs?");
+  if(surface.is_empty() && ground.base)
+    throw_error("--mesh: no volume was found that ", planes, " planes enclose with the ground at ", *ground.base,
+                ": is --base below the roofs?");
   if(surface.is_empty() && planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
-    throw_error("--mesh: a closed surface needs four planes, but there are ", planes);
+    throw_error("--mesh: a closed surface needs four planes, but there are ", planes, "; --base HEIGHT closes roofs");
   if(surface.is_empty())
-    throw_error("--mesh: no volume was found that ", planes, " planes enclose");
+    throw_error("--mesh: no volume was found that ", planes, " planes enclose; --base HEIGHT closes roofs");
   if(ends_in(o.mesh, city_json))
     write_city_json(out, surface, o);
   else
     write_surface(out, surface, lower_case_extension(o.mesh));
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
-  return {with_faces.size() - with_faces.count(-1), surface.faces.size(),     planes + surface.number_of_omitted_planes,
-          surface.number_of_omitted_planes,         surface.number_of_points, surface.supported};
+  return {with_faces.size() - with_faces.count(-1),
+          surface.faces.size(),
+          planes + surface.number_of_omitted_planes,
+          surface.number_of_omitted_planes,
+          surface.number_of_points,
+          surface.supported,
+          ground.base};
 }
 
 } // namespace program

@@ -164,6 +164,7 @@ struct Mesh_facts {
   std::size_t omitted_planes = 0;    // of these, without the surface
   std::size_t points = 0;            // of shapes, whose plane is the surface there
   double supported = 0;              // the share of the area that has points
+  std::optional<double> base;        // the height of the ground
 };
 
 // The format is that of the extension of --mesh: .off, .obj, .ply or .city.json.

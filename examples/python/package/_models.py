@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _direction, _number, _switch
+from ._arguments import _count, _direction, _number, _rows, _switch
 from ._tandem import PlanarShapes, __version__
 
 
@@ -134,10 +134,7 @@ def closed_surface(
 
 
 def _ring(corners: npt.ArrayLike) -> List[List[float]]:
-    ring = np.asarray(corners, np.float64)
-    if ring.ndim != 2 or ring.shape[1] != 2:
-        raise ValueError(f"a ring of footprints must have the shape (k, 2), but has {ring.shape}")
-    return ring.tolist()  # type: ignore[no-any-return]
+    return _rows("footprints", corners, 2).tolist()  # type: ignore[no-any-return]
 
 
 def _unpickled(version: str, *state: Any) -> PlanarShapes:

@@ -8,6 +8,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <array>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -25,28 +26,32 @@ namespace CGAL::Tandem {
 
 namespace internal {
 
-template <class Height>
-double finite_height(const Height& height)
+inline double finite(const char* name, double number)
 {
-  const double result = CGAL::to_double(height);
-  if(!std::isfinite(result))
-    throw_out_of_range("base_height", result, "finite");
-  return result;
+  if(!std::isfinite(number))
+    throw_out_of_range(name, number, "finite");
+  return number;
 }
 
-// The outer boundary of a polygon with holes, and the holes. The coordinates are x and y of points.
+// The outer boundary of a polygon with holes, and the holes. The coordinates are x and y of points. As in files, the last
+// corner of a boundary may be the first one again.
 template <class Polygon>
 std::vector<surface::Flat_polygon> rings_of(const Polygon& polygon, const Vector& up)
 {
   if(up.x != 0 || up.y != 0 || !(up.z > 0))
-    throw std::invalid_argument("CGAL::Tandem: a footprint is seen along z, so symmetry_direction must be (0, 0, 1)");
+    throw Parameter_error("symmetry_direction", to_text(up.x) + ", " + to_text(up.y) + ", " + to_text(up.z),
+                          "(0, 0, 1) with footprints, which are seen along z");
   std::vector<surface::Flat_polygon> result;
   const auto add = [&result](const auto& ring) {
-    result.emplace_back();
+    surface::Flat_polygon corners;
     for(const auto& p : ring)
-      result.back().emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-    if(!CGAL::is_simple_2(result.back().begin(), result.back().end()) || result.back().size() < 3)
-      throw std::invalid_argument("CGAL::Tandem: a boundary of the footprint is no simple polygon");
+      corners.emplace_back(finite("footprints", CGAL::to_double(p.x())), finite("footprints", CGAL::to_double(p.y())));
+    if(corners.size() > 1 && corners.front() == corners.back())
+      corners.pop_back();
+    if(corners.size() < 3 || !CGAL::is_simple_2(corners.begin(), corners.end()))
+      throw Parameter_error("footprints", "a boundary of " + std::to_string(corners.size()) + " corners",
+                            "boundaries of three corners or more that do not touch themselves");
+    result.push_back(std::move(corners));
   };
   add(polygon.outer_boundary());
   for(const auto& hole : polygon.holes())
@@ -73,8 +78,8 @@ struct Closed_surface_3 {
   /// positions of the corners of each face in `points`, counterclockwise as seen from outside. Faces need not be
   /// convex; a part of a plane with holes is several faces.
   std::vector<std::vector<std::size_t>> faces;
-  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a face of the box of the
-  /// points
+  /// the coplanar group of the plane of each face; -1 for a wall that was added, the base, and a face of the box of
+  /// the points
   std::vector<int> plane_of_face;
   /// the share of the area of each face that the outlines of shapes cover, from 0 to 1. The rest is assumed.
   std::vector<double> supported_of_face;
@@ -96,6 +101,49 @@ struct Closed_surface_3 {
   /// returns whether nothing is enclosed
   bool is_empty() const { return faces.empty(); }
 };
+
+namespace internal {
+
+// Of these outlines of the shapes, or of those that it finds.
+template <class GeomTraits, class PointRange, class NamedParameters>
+Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                            const outlines::Polygon_table* outlines, const NamedParameters& np)
+{
+  using FT = typename GeomTraits::FT;
+  const auto coordinates = checked_coordinates(shapes, points, np);
+  const int most = parameter<internal_np::maximum_number_of_planes_t>(np, (std::numeric_limits<int>::max)());
+  if(most < 4)
+    throw_out_of_range("maximum_number_of_planes", most, "at least 4");
+  const int components = parameter<internal_np::maximum_number_of_components_t>(np, 0);
+  if(components < 0)
+    throw_out_of_range("maximum_number_of_components", components, "at least 0");
+  const Vector up =
+    upward(parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
+  surface::Surface_request request = {std::size_t(most), std::size_t(components), up, {}, {}};
+  if constexpr(Is_given<internal_np::base_height_t, NamedParameters>::value)
+    request.base_height = finite("base_height", CGAL::to_double(parameter<internal_np::base_height_t>(np, 0)));
+  if constexpr(Is_given<internal_np::footprints_t, NamedParameters>::value)
+    for(const auto& footprint : parameter<internal_np::footprints_t>(np, 0))
+      request.footprints.push_back(rings_of(footprint, up));
+  request.callback = parameter<internal_np::callback_t>(np, Callback());
+  request.outlines = outlines;
+  auto table = surface::surface_table(coordinates, shapes.data(), request);
+  Closed_surface_3<GeomTraits> result;
+  for(const Position& p : table.points)
+    result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
+  result.faces = std::move(table.faces);
+  result.plane_of_face = std::move(table.plane_of_face);
+  result.supported_of_face = std::move(table.supported_of_face);
+  result.supported = table.area > 0 ? table.supported_area / table.area : 0;
+  result.triangles = std::move(table.triangles);
+  result.face_of_triangle = std::move(table.face_of_triangle);
+  result.number_of_planes = table.groups.size();
+  result.number_of_omitted_planes = table.omitted_groups.size();
+  result.number_of_points = table.number_of_points;
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -182,37 +230,27 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                             const NamedParameters& np = NamedParameters())
 {
-  using FT = typename GeomTraits::FT;
-  const auto coordinates = internal::checked_coordinates(shapes, points, np);
-  const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, (std::numeric_limits<int>::max)());
-  if(most < 4)
-    internal::throw_out_of_range("maximum_number_of_planes", most, "at least 4");
-  const int components = internal::parameter<internal_np::maximum_number_of_components_t>(np, 0);
-  if(components < 0)
-    internal::throw_out_of_range("maximum_number_of_components", components, "at least 0");
-  const internal::Vector up = internal::upward(
-    internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  internal::surface::Surface_request request = {std::size_t(most), std::size_t(components), up, {}, {}, {}};
-  if constexpr(internal::Is_given<internal_np::base_height_t, NamedParameters>::value)
-    request.base_height = internal::finite_height(internal::parameter<internal_np::base_height_t>(np, 0));
-  if constexpr(internal::Is_given<internal_np::footprints_t, NamedParameters>::value)
-    for(const auto& footprint : internal::parameter<internal_np::footprints_t>(np, 0))
-      request.footprints.push_back(internal::rings_of(footprint, up));
-  request.callback = internal::parameter<internal_np::callback_t>(np, Callback());
-  auto table = internal::surface::surface_table(coordinates, shapes.data(), request);
-  Closed_surface_3<GeomTraits> result;
-  for(const internal::Position& p : table.points)
-    result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
-  result.faces = std::move(table.faces);
-  result.plane_of_face = std::move(table.plane_of_face);
-  result.supported_of_face = std::move(table.supported_of_face);
-  result.supported = table.area > 0 ? table.supported_area / table.area : 0;
-  result.triangles = std::move(table.triangles);
-  result.face_of_triangle = std::move(table.face_of_triangle);
-  result.number_of_planes = table.groups.size();
-  result.number_of_omitted_planes = table.number_of_omitted_planes;
-  result.number_of_points = table.number_of_points;
-  return result;
+  return internal::closed_surface(shapes, points, nullptr, np);
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief returns a closed surface whose faces are in the planes of shapes, as the function above, of polygons that the caller
+has already.
+
+\param shapes, points, np as above
+\param areas the result of `polygons()` for these shapes, with an entry for each shape
+
+\throw std::invalid_argument `areas` does not have one entry for each shape; and what the function above throws
+*/
+template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                            const Shape_polygons_3<GeomTraits>& areas,
+                                            const NamedParameters& np = NamedParameters())
+{
+  internal::check_entries(shapes, areas);
+  return internal::closed_surface(shapes, points, &areas.table(), np);
 }
 
 } // namespace CGAL::Tandem

@@ -205,7 +205,8 @@ test_bad_usage = cases([
     ("triangulate needs --polygons", "cube.ply --triangulate"), ("mesh-planes needs --mesh", "cube.ply --mesh-planes 10"),
     ("mesh-components needs --mesh", "cube.ply --mesh-components 1"),
     ("base needs --mesh", "cube.ply --base 0"), ("footprint needs --mesh", "cube.ply --footprint f.geojson"),
-    ("base is 'low', must be a height or ground", "cube.ply --mesh m.off --base low"),
+    *((f"base is '{base}', must be a height or ground", f"cube.ply --mesh m.off --base {base}") for base in ("low", "nan")),
+    ("footprint is seen along z, so --up must be 0,0,1", "cube.ply --mesh m.off --footprint f.geojson --up 0,1,0"),
     ("mesh-components is '0', must be all or a whole number", "missing.ply --mesh m.off --mesh-components 0"),
     ("mesh-seconds needs --mesh", "cube.ply --mesh-seconds 9"),
     ("mesh-planes is 3, allowed is .4, 2147483647.", "missing.ply --mesh m.off --mesh-planes 3"),
@@ -234,8 +235,7 @@ def test_closed_surface(p, name, planes, more, counts, expected):
 
 def test_parts_of_a_surface(p):
     """The largest component of two; and in PLY, how much of each face has points."""
-    p(0, r"mesh +6 faces, of 6 of 12 planes, with 50 % of the points of shapes \(the others enclose no volume: .* a part\); "
-      r"\d+ % of its area has points", "boxes.xyz E --mesh one.ply --mesh-components 1")
+    p(0, r"mesh +6 faces, of 6 of 12 planes, with 50 % of the points of shapes; \d+ % of its area has points", "boxes.xyz E --mesh one.ply --mesh-components 1")
     p(0, r"mesh +12 faces", "boxes.xyz E --mesh all.ply --mesh-components all")
     lines = p.lines("one.ply")
     assert "property double supported" in lines
@@ -263,10 +263,19 @@ def test_ground(p):
         assert volume(np.array(points), [face for _, face in faces]) == pytest.approx(expected, rel=.06), option
     p.path("bad.geojson").write_text('{"type": "Point", "coordinates": [1, 2]}')
     p(1, "--footprint bad.geojson: has no polygons", f"{detect} --footprint bad.geojson")
-    p(1, "--footprint roofs.xyz: .*parse error", f"{detect} --footprint roofs.xyz")
-    p(1, "--mesh: there is no surface within the 1e-06 seconds of --mesh-seconds; the other files are complete",
+    p(1, "--footprint roofs.xyz: is no GeoJSON: .*parse error", f"{detect} --footprint roofs.xyz")
+    # Ground that was scanned is no part of the model.
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(-10, 40, .4), np.arange(-10, 20, .4)))
+    ground = np.column_stack([x, y, .01 * np.sin(9 * x + 7 * y)])
+    p.path("roofs.xyz").write_text("\n".join(" ".join(map(str, q)) for q in np.vstack([roofs(), ground])))
+    for base in ("0", "ground"):
+        p(0, "mesh ", f"{detect} --base {base}")
+        points, faces = off(p.path("roofs.off").read_bytes(), colors=0)
+        assert volume(np.array(points), [face for _, face in faces]) == pytest.approx(1120, rel=.06)
+    p(1, r"is --base below the roofs\?", f"{detect} --base 100")
+    p(1, "--mesh: there is no surface within 1e-06 seconds; pass a larger number to --mesh-seconds; the other files are complete",
       f"{detect} --planes p.txt --mesh-seconds 1e-6")
-    p(0, "mesh ", f"{detect} --base 0 --mesh-seconds 1000")
+    p(0, "mesh .* on the ground at 0;", f"{detect} --base 0 --mesh-seconds 1000")
 
 
 OTHERS = {"planes": "planes", "labels": "labels", "output": "ply", "report": "json", "vg": "vg", "polygons": "obj"}
@@ -274,7 +283,7 @@ OTHERS = {"planes": "planes", "labels": "labels", "output": "ply", "report": "js
 
 def test_no_closed_surface(p):
     """What is done is kept where there is no surface: all other outputs are complete."""
-    p(1, r"shapes .*a closed surface needs four planes, but there are 3\n\Z", "cube.ply E --mesh open.off")
-    p(1, r"shapes .*no volume was found that 4 planes enclose; the other files are complete\n\Z",
+    p(1, r"shapes .*a closed surface needs four planes, but there are 3; --base HEIGHT closes roofs\n\Z", "cube.ply E --mesh open.off")
+    p(1, r"shapes .*no volume was found that 4 planes enclose; --base HEIGHT closes roofs; the other files are complete\n\Z",
       "tower.xyz E --mesh open.off " + " ".join(f"--{option} open.{name}" for option, name in OTHERS.items()))
     assert not p.has("open.off") and all(p.path(f"open.{name}").stat().st_size > 0 for name in OTHERS.values())

@@ -93,7 +93,7 @@ def test_ambiguous(p):
 
 
 @table("options, expected, source", [
-    ("--up=0,-2,0", [0, -2, 0], "given"), ("--symmetry-direction 0,1,0", [0, 1, 0], "given"),
+    ("--up=0,-2,0", [0, -1, 0], "given"), ("--symmetry-direction 0,1,0", [0, 1, 0], "given"),
     ("--up=0,-1,0 --symmetry-direction 0,1,0", [0, -1, 0], "given"),
     ("--up auto --symmetry-direction 0,1,0", [0, 0, 1], "found")])
 def test_given(p, options, expected, source):

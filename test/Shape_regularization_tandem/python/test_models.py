@@ -133,7 +133,7 @@ def test_ground():
         assert volume(surface) == pytest.approx(expected, rel=.06)
     with pytest.raises(ValueError, match="shape"):
         shapes.closed_surface(footprints=[[[(0, 0, 0), (1, 0, 0), (0, 1, 0)]]])
-    with pytest.raises(ValueError, match="simple"):
+    with pytest.raises(ValueError, match="footprints.*three corners"):
         shapes.closed_surface(footprints=[[[(0, 0), (1, 1), (1, 0), (0, 1)]]])
     with pytest.raises(tandem.ParameterError, match="base_height"):
         shapes.closed_surface(base_height=np.nan)

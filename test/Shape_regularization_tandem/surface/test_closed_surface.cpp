@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(footprints)
       roofs.volume(
         np::footprints(std::vector<Footprint>(1, Footprint(CGAL::Polygon_2<Epick>(bow.begin(), bow.end())))));
     },
-    {"simple"}, __LINE__);
+    {"footprints", "three corners"}, __LINE__);
 }
 
 // The progress rises to 1; it ends where the callback says so, with an empty surface, or throws.

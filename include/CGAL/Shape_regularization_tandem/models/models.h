@@ -55,7 +55,8 @@ struct Surface_table {
   std::vector<std::size_t> face_of_triangle;
   std::vector<int> groups; // coplanar ones, whose planes were considered; ascending
   double area = 0, supported_area = 0;
-  std::size_t number_of_omitted_planes = 0, number_of_points = 0;
+  std::vector<int> omitted_groups; // others, of planes with fewer points
+  std::size_t number_of_points = 0;
 };
 
 // What closed_surface() is asked for.
@@ -64,7 +65,8 @@ struct Surface_request {
   internal::Vector up; // of length 1
   std::optional<double> base_height;
   std::vector<std::vector<Flat_polygon>> footprints; // of each its outer boundary and its holes
-  Callback callback;
+  const outlines::Polygon_table* outlines = nullptr; // of the shapes, if they are known
+  Callback callback = Callback();
 };
 
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,

@@ -9,8 +9,10 @@
 
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Point_blocks.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Ray_votes.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Site.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +32,11 @@ struct Surface_scene {
   outlines::Polygon_table polygons; // the outlines of shapes
   std::vector<Coefficients> planes; // of shapes
 
-  Surface_scene(const std::vector<Position>& points, const outlines::Shapes& shapes, const Model_progress& progress)
+  Surface_scene(const std::vector<Position>& points, const outlines::Shapes& shapes, outlines::Polygon_table polygons)
     : points(points), shapes(shapes), unit(points, shapes),
-      maximum_distance(unit.in(shapes.parameters().maximum_distance)),
-      polygons(outlines::outline_table(points, shapes.data(), true, progress))
+      maximum_distance(unit.in(shapes.parameters().maximum_distance)), polygons(std::move(polygons))
   {
-    for(Position& p : polygons.points)
+    for(Position& p : this->polygons.points)
       for(double& x : p)
         x = unit.in(x);
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
@@ -56,8 +57,8 @@ struct Surface_scene {
 
 class Border_walls {
 public:
-  Border_walls(std::vector<Plane_coverage>& planes, const Vector& up, double maximum_distance)
-    : planes_(planes), up_(up), near_(2 * maximum_distance)
+  Border_walls(std::vector<Plane_coverage>& planes, const Site& site, double maximum_distance)
+    : planes_(planes), site_(site), up_(site.up), near_(2 * maximum_distance)
   {}
 
   // A rectangle between two heights, in a plane that is there, or in a new one.
@@ -73,12 +74,20 @@ public:
     plane->assume(wall);
   }
 
-  // Below the borders of polygons that are in the box of the site, from long ones to short ones.
-  void add(const Surface_scene& scene, const CGAL::Bbox_3& box, const Model_progress& progress)
+  void add_wall_of_its_own(const Plane_coverage::Corners& wall)
+  {
+    planes_.push_back(plane_of(wall));
+    planes_.back().reach(wall);
+    planes_.back().assume(wall);
+  }
+
+  // Below the borders of polygons in a box, from long ones to short ones, of the shapes that have a plane.
+  void add(const Surface_scene& scene, const std::vector<int>& plane_of_shape, const CGAL::Bbox_3& box,
+           const Model_progress& progress)
   {
     std::vector<Border> borders;
-    for(std::size_t s = 0; s < scene.polygons.polygons.size(); ++s)
-      if(!is_upright(scene.planes[s]))
+    for(std::size_t s = 0; s < scene.planes.size(); ++s, progress.check(0))
+      if(plane_of_shape[s] >= 0 && !is_upright(scene.planes[s]))
         for(const Indexed_polygon& polygon : scene.polygons.polygons[s])
           if(CGAL::do_overlap(scene.box_of(polygon.outer), box))
             add_borders(scene.polygons, polygon, scene.planes[s], borders);
@@ -96,7 +105,7 @@ public:
       ratios[w] = std::fabs(rays.balance(places_on(borders[w]), with_walls[plane].normal(), plane));
     });
     for(std::size_t w = 0; w < borders.size(); ++w)
-      if(ratios[w] > least_ratio)
+      if(ratios[w] > Ray_votes::least_of_wall)
         add_wall(borders[w].wall);
   }
 
@@ -127,9 +136,10 @@ private:
         Border border = {point(loop[i]), point(loop[(i + 1) % loop.size()]), 0, 0, {}};
         const Vector outward = CGAL::cross_product(border.last - border.first, left);
         border.length = std::sqrt(outward.squared_length());
-        if(border.length < shortest_wall * near_ || ends_at_other(own, border))
-          continue;
         const Point middle = CGAL::midpoint(border.first, border.last);
+        if(border.length < shortest_wall * near_ || ends_at_other(own, border) ||
+           site_.has_edge_near(middle, shortest_wall * near_)) // where the footprint has a wall
+          continue;
         const Plane_coverage* const below = plane_below(middle + near_ / border.length * outward, border.drop);
         if(below == nullptr || is_seen_behind(border, *below, -1 / border.length * outward))
           continue;
@@ -201,9 +211,9 @@ private:
   }
 
   static constexpr double shortest_wall = 5; // times the distance within which two places are one
-  static constexpr double least_ratio = .25; // of rays: they say nothing of a border within a room or below a roof
 
   std::vector<Plane_coverage>& planes_;
+  const Site& site_;
   Vector up_;
   double near_;
 };

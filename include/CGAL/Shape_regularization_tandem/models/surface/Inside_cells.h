@@ -173,11 +173,11 @@ private:
   // way round.
   static double vote(const Covered_facet& covered, const Vector& to_front, std::size_t plane, const Ray_votes& rays)
   {
-    const auto of = [&](const Covered_part& part) {
+    const auto of = [&](const Covered_part& part, double least) {
       const double balance = rays.balance(part.places, to_front, plane);
-      return balance < 0 ? -part.area : balance > 0 ? part.area : 0;
+      return balance < -least ? -part.area : balance > least ? part.area : 0;
     };
-    return of(covered.scanned) + worth_of_free * of(covered.assumed);
+    return of(covered.scanned, 0) + worth_of_free * of(covered.assumed, Ray_votes::least_of_wall);
   }
 };
 

@@ -50,6 +50,9 @@ public:
     }
   }
 
+  // Of an assumed wall: less says nothing, as of a border within a room or below a roof, or of a wall above a roof.
+  static constexpr double least_of_wall = .25;
+
   Ray_votes(const Ray_votes&) = delete; // the tree has positions in the triangles
   Ray_votes& operator=(const Ray_votes&) = delete;
 

@@ -22,7 +22,8 @@ using Rings = std::vector<Flat_polygon>;
 inline bool is_in(const Rings& rings, const Kernel::Point_2& p)
 {
   const auto is_inside = [&](const Flat_polygon& ring) {
-    return CGAL::bounded_side_2(ring.begin(), ring.end(), p) != CGAL::ON_UNBOUNDED_SIDE;
+    return CGAL::do_overlap(CGAL::bbox_2(ring.begin(), ring.end()), p.bbox()) &&
+           CGAL::bounded_side_2(ring.begin(), ring.end(), p) != CGAL::ON_UNBOUNDED_SIDE;
   };
   return is_inside(rings[0]) && std::none_of(rings.begin() + 1, rings.end(), is_inside);
 }
@@ -36,9 +37,21 @@ struct Site {
 
   // Seen from above.
   CGAL::Bbox_2 box() const { return CGAL::bbox_2(footprint[0].begin(), footprint[0].end()); }
-  bool is_above_or_below(const Point& p) const { return footprint.empty() || is_in(footprint, {p.x(), p.y()}); }
+  bool contains(const Point& p) const
+  {
+    return (!base || height(base_plane(), p) >= 0) && (footprint.empty() || is_in(footprint, {p.x(), p.y()}));
+  }
 
-  bool contains(const Point& p) const { return is_above_or_below(p) && (!base || height(base_plane(), p) >= 0); }
+  // Whether an edge of the footprint is that near, seen from above.
+  bool has_edge_near(const Point& p, double distance) const
+  {
+    const Kernel::Point_2 q(p.x(), p.y());
+    for(const Flat_polygon& ring : footprint)
+      for(std::size_t i = 0; i < ring.size(); ++i)
+        if(CGAL::squared_distance(Kernel::Segment_2(ring[i], ring[(i + 1) % ring.size()]), q) < distance * distance)
+          return true;
+    return false;
+  }
 
   // f(wall) for the walls on the edges of the footprint, from the base up to a height.
   template <class Function>
@@ -47,8 +60,7 @@ struct Site {
     for(const Flat_polygon& ring : footprint)
       for(std::size_t i = 0; i < ring.size(); ++i) {
         const Kernel::Point_2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
-        if(p != q)
-          f({{p.x(), p.y(), top}, {q.x(), q.y(), top}, {q.x(), q.y(), *base}, {p.x(), p.y(), *base}});
+        f({{p.x(), p.y(), top}, {q.x(), q.y(), top}, {q.x(), q.y(), *base}, {p.x(), p.y(), *base}});
       }
   }
 };

@@ -18,13 +18,16 @@
 #include <CGAL/Shape_regularization_tandem/models/surface/crossing_faces.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,9 +43,9 @@ struct Site_planes {
 
   Site site;
   std::vector<Plane_coverage> planes;
-  std::vector<int> groups; // the coplanar groups of the planes that have points, which come first
-  std::size_t omitted = 0; // further planes, with fewer points
-  CGAL::Bbox_3 box;        // of the points, and somewhat around them
+  std::vector<int> groups;  // the coplanar groups of the planes that have points, which come first
+  std::vector<int> omitted; // those of further planes, with fewer points
+  CGAL::Bbox_3 box;         // of the points, and somewhat around them
 
   // At most `most` planes that have points.
   Site_planes(const Surface_scene& scene, Site at, std::size_t most, const Model_progress& progress)
@@ -51,17 +54,23 @@ struct Site_planes {
     add_planes(scene, most);
     if(planes.empty())
       return;
-    for(std::size_t s = 0; s < scene.polygons.polygons.size(); ++s)
-      if(const int p = plane_of(scene.shapes.coplanar_group(s)); p != none)
+    std::vector<int> plane_of_group(scene.planes.size(), none);
+    for(std::size_t p = 0; p < groups.size(); ++p)
+      plane_of_group[std::size_t(groups[p])] = int(p);
+    std::vector<int> plane_of_shape;
+    for(std::size_t s = 0; s < scene.planes.size(); ++s)
+      plane_of_shape.push_back(plane_of_group[scene.shapes.coplanar_group(s)]);
+    for(std::size_t s = 0; s < scene.planes.size(); ++s)
+      if(const int p = plane_of_shape[s]; p != none)
         for(const Indexed_polygon& polygon : scene.polygons.polygons[s])
           for(const auto& t : polygon.triangles)
-            if(CGAL::do_overlap(scene.box_of(t), box))
+            if(CGAL::do_overlap(scene.box_of(t), box) && is_above_base(scene, t))
               planes[std::size_t(p)].cover({scene.corner(t[0]), scene.corner(t[1]), scene.corner(t[2])});
     if(site.base)
       add_base(8 * scene.maximum_distance);
-    Border_walls walls(planes, site.up, scene.maximum_distance);
-    site.for_each_wall(box.zmax(), [&](const Plane_coverage::Corners& wall) { walls.add_wall(wall); });
-    walls.add(scene, box, progress);
+    Border_walls walls(planes, site, scene.maximum_distance);
+    site.for_each_wall(box.zmax(), [&](const Plane_coverage::Corners& wall) { walls.add_wall_of_its_own(wall); });
+    walls.add(scene, plane_of_shape, box, progress);
   }
 
   // The coplanar group of a plane; none if it has no points, or is a face of the box.
@@ -71,10 +80,16 @@ struct Site_planes {
   }
 
 private:
-  int plane_of(std::size_t group) const
+  // What is as low as the base is the ground, which is no part of a surface that has a base.
+  bool is_above_base(const Surface_scene& scene, const Point& p) const
   {
-    const auto at = std::find(groups.begin(), groups.end(), int(group));
-    return at == groups.end() ? none : int(at - groups.begin());
+    return !site.base || height(site.base_plane(), p) > 2 * scene.maximum_distance;
+  }
+
+  bool is_above_base(const Surface_scene& scene, const std::array<std::uint32_t, 3>& triangle) const
+  {
+    return std::any_of(triangle.begin(), triangle.end(),
+                       [&](std::uint32_t corner) { return is_above_base(scene, scene.corner(corner)); });
   }
 
   void add_planes(const Surface_scene& scene, std::size_t most)
@@ -83,7 +98,7 @@ private:
     std::vector<std::vector<Point>> of_group(shape_of_group.size());
     for(std::size_t s = 0; s < scene.shapes.number_of_shapes(); ++s)
       for(std::uint32_t i : scene.shapes.points(s))
-        if(const Point p = scene.unit.in(scene.points[i]); site.is_above_or_below(p))
+        if(const Point p = scene.unit.in(scene.points[i]); site.contains(p) && is_above_base(scene, p))
           of_group[scene.shapes.coplanar_group(s)].push_back(p);
     std::vector<std::size_t> order(of_group.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -96,7 +111,7 @@ private:
       if(!plane.has_area())
         continue;
       if(planes.size() == most) {
-        ++omitted;
+        omitted.push_back(int(g));
         continue;
       }
       for(const Point& p : plane.points())
@@ -104,6 +119,9 @@ private:
       planes.push_back(std::move(plane));
       groups.push_back(int(g));
     }
+    if(!site.footprint.empty() && !planes.empty())
+      box += CGAL::Bbox_3(site.box().xmin(), site.box().ymin(), box.zmin(), site.box().xmax(), site.box().ymax(),
+                          box.zmax());
     box = outlines::grown(box, 2 * scene.maximum_distance);
   }
 
@@ -212,7 +230,7 @@ inline Site_cells site_cells(const Surface_scene& scene, const Site& site, std::
       cells = cut_cells(planes.planes, planes.box, most_cells, progress);
     if(cells.cells.size() < most_cells || planes.groups.size() <= Site_planes::fewest_planes)
       return {std::move(planes), std::move(cells)};
-    most_planes = planes.groups.size() / 2;
+    most_planes = (std::max)(Site_planes::fewest_planes, planes.groups.size() / 2);
   }
 }
 
@@ -226,7 +244,7 @@ inline Surface_table surface_of_site(const Surface_scene& scene, const Site& sit
   const auto [planes, cells] = site_cells(scene, site, request.most_planes, progress);
   Surface_table result;
   result.groups = planes.groups;
-  result.number_of_omitted_planes = planes.omitted;
+  result.omitted_groups = planes.omitted;
   if(cells.cells.empty())
     return result;
   begin_stage(.7);
@@ -322,7 +340,7 @@ inline void append(const Surface_table& part, Surface_table& whole)
   add(part.groups, whole.groups);
   whole.area += part.area;
   whole.supported_area += part.supported_area;
-  whole.number_of_omitted_planes += part.number_of_omitted_planes;
+  add(part.omitted_groups, whole.omitted_groups);
   whole.number_of_points += part.number_of_points;
 }
 
@@ -334,15 +352,21 @@ try {
   constexpr double outlines_end = .3;
   progress.begin_stage(outlines_end);
   const outlines::Shapes shapes(data);
-  const Surface_scene scene(points, shapes, progress);
+  const Surface_scene scene(points, shapes,
+                            request.outlines ? *request.outlines
+                                             : outlines::outline_table(points, shapes.data(), true, progress));
   const std::vector<Site> sites = sites_of(scene, request);
   Surface_table result;
   for(std::size_t s = 0; s < sites.size(); ++s)
     append(surface_of_site(scene, sites[s], request, progress,
                            outlines_end + (1 - outlines_end) * double(s + 1) / double(sites.size())),
            result);
-  std::sort(result.groups.begin(), result.groups.end());
-  result.groups.erase(std::unique(result.groups.begin(), result.groups.end()), result.groups.end());
+  const std::set<int> considered(result.groups.begin(), result.groups.end());
+  const std::set<int> omitted(result.omitted_groups.begin(), result.omitted_groups.end());
+  result.groups.assign(considered.begin(), considered.end());
+  result.omitted_groups.clear();
+  std::set_difference(omitted.begin(), omitted.end(), considered.begin(), considered.end(),
+                      std::back_inserter(result.omitted_groups));
   return result;
 } catch(const Model_progress::Cancelled&) {
   return Surface_table();
