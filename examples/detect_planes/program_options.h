@@ -234,9 +234,8 @@ inline void add_output_options(po::options_description& visible, po::options_des
       "--base, or to the lowest point of a shape near");
   add(group, "mesh-seconds", number_option(o.mesh_seconds, "S"),
       "--mesh takes at most about S seconds: if all planes take longer than half of what the outlines leave, a quarter "
-      "is used, those with "
-      "most "
-      "points, and so on. What is left out then depends on the machine");
+      "of "
+      "them is used, those with most points, and so on. What is left out then depends on the machine");
   visible.add(group);
   hidden.add_options()("vg-by-plane",
                        po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone

@@ -320,6 +320,12 @@ BOOST_AUTO_TEST_CASE(base)
   check_close(roofs.volume(np::base_height(0.)) / 1140, 1, .05, "down to 0");
   check_close(roofs.volume(np::base_height(-2.)) / 1460, 1, .05, "down to -2");
   check_throws<std::invalid_argument>([&] { roofs.volume(np::base_height(std::nan(""))); }, {"base_height"}, __LINE__);
+  const auto areas = CGAL::Tandem::polygons(roofs.shapes, roofs.points);
+  const Surface of_areas = CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, areas, np::base_height(0.));
+  CHECK(of_areas.points == CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, np::base_height(0.)).points);
+  check_throws<std::invalid_argument>(
+    [&] { CGAL::Tandem::closed_surface(roofs.shapes, roofs.points, CGAL::Tandem::Shape_polygons_3<Epick>()); },
+    {"entr"}, __LINE__);
   const std::vector<Epick::Point_3> with_ground = airborne_scan(.5, 2);
   const Found_shapes shapes =
     CGAL::Tandem::detect_planes(with_ground, np::maximum_distance(.08).minimum_region_size(100));
