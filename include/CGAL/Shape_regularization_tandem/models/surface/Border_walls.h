@@ -61,24 +61,11 @@ public:
     : planes_(planes), site_(site), up_(site.up), near_(2 * maximum_distance)
   {}
 
-  // A rectangle between two heights, in a plane that is there, or in a new one.
+  // A rectangle between two heights, in a plane of its own.
   void add_wall(const Plane_coverage::Corners& wall)
   {
-    auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
-      return is_upright(p.plane()) &&
-             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
-    });
-    if(plane == planes_.end())
-      plane = planes_.insert(planes_.end(), plane_of(wall));
-    plane->reach(wall);
-    plane->assume(wall);
-  }
-
-  void add_wall_of_its_own(const Plane_coverage::Corners& wall)
-  {
     planes_.push_back(plane_of(wall));
-    planes_.back().reach(wall);
-    planes_.back().assume(wall);
+    assume(wall, planes_.back());
   }
 
   // Below the borders of polygons in a box, from long ones to short ones, of the shapes that have a plane.
@@ -106,7 +93,7 @@ public:
     });
     for(std::size_t w = 0; w < borders.size(); ++w)
       if(ratios[w] > Ray_votes::least_of_wall)
-        add_wall(borders[w].wall);
+        add_to_any(borders[w].wall);
   }
 
 private:
@@ -188,6 +175,25 @@ private:
         seen += below.is_covered(p - drop_to(below, p) * up_);
       }
     return 4 * seen > rows * rows;
+  }
+
+  // In a plane that is there, or in a new one.
+  void add_to_any(const Plane_coverage::Corners& wall)
+  {
+    const auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return is_upright(p.plane()) &&
+             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+    });
+    if(plane == planes_.end())
+      add_wall(wall);
+    else
+      assume(wall, *plane);
+  }
+
+  static void assume(const Plane_coverage::Corners& wall, Plane_coverage& plane)
+  {
+    plane.reach(wall);
+    plane.assume(wall);
   }
 
   Plane_coverage plane_of(const Plane_coverage::Corners& wall) const

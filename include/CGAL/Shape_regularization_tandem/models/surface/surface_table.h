@@ -69,7 +69,7 @@ struct Site_planes {
     if(site.base)
       add_base(8 * scene.maximum_distance);
     Border_walls walls(planes, site, scene.maximum_distance);
-    site.for_each_wall(box.zmax(), [&](const Plane_coverage::Corners& wall) { walls.add_wall_of_its_own(wall); });
+    site.for_each_wall(box.zmax(), [&](const Plane_coverage::Corners& wall) { walls.add_wall(wall); });
     walls.add(scene, plane_of_shape, box, progress);
   }
 
