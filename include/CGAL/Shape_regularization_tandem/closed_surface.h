@@ -10,10 +10,10 @@
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
-#include <array>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

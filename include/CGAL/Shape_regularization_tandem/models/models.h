@@ -1,21 +1,22 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the public headers call of the models: plain tables of doubles, whatever the kernel of the caller is. The library
+// What the public headers call of the models: tables of numbers, whatever the kernel of the caller is. The library
 // Tandem::tandem_models has compiled the functions; without it, they are compiled where they are called.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
 #include <CGAL/Shape_regularization_tandem/models/Line_table.h>
-#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Model_progress.h>
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/Shape_facts.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/result/Shapes_data.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
