@@ -7,6 +7,7 @@
 #define DETECT_PLANES_OPTIONS_H
 
 #include "errors.h"
+#include "mesh/footprints.h"
 
 #include <CGAL/Tandem/Parameters.h>
 
@@ -203,6 +204,7 @@ struct Options {
   std::string planes_from;                              // a file
   std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
   std::string footprint;                                // a file of --mesh
+  Footprints footprints;                                // of it
   std::string crs;                                      // of --polygons, --lines and --mesh
   std::string columns, classes, format, crop;           // of the inputs
   std::string tolerance_column, noise_text;             // of the tolerance of each point

@@ -5,7 +5,6 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "detection.h"
-#include "mesh/footprints.h"
 #include "output/Output_file.h"
 #include "program_options.h"
 #include "ranks/read_inputs.h"
@@ -15,6 +14,7 @@
 
 #include <cmath>
 #include <deque>
+#include <fstream>
 
 namespace program {
 
@@ -177,6 +177,8 @@ public:
       written.push_back("one for each input in " + o.output_directory);
   }
 
+  bool has_mesh() const { return mesh.has_value(); }
+
   // But for the mesh.
   bool is_empty() const { return files.empty() && options.output_directory.empty(); }
 
@@ -184,9 +186,9 @@ public:
   std::string names() const { return boost::join(written, ", "); }
 
   // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
-  void write(const Shapes& shapes, Run& run)
+  void write(const Described_shapes& described, Run& run)
   {
-    const Described_shapes described(cloud.points, shapes, *options.up);
+    const Shapes& shapes = described.shapes;
     if(!(options.polygons.empty() && options.lines.empty()) && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
     for(std::size_t i = 0; i < writers.size(); ++i) {
@@ -210,16 +212,21 @@ public:
       file.commit();
   }
 
-  // The surface may take long, or not be there, and then the others are complete.
-  std::optional<Mesh_facts> write_mesh(const Shapes& shapes, const CGAL::Tandem::Callback& show)
+  // The surface may take long, or not be there, and then the others are complete. Returns what it is.
+  std::string write_mesh(const Described_shapes& described, const CGAL::Tandem::Callback& show)
   {
-    if(!mesh)
-      return std::nullopt;
-    Mesh_facts facts;
-    mesh->write([&](std::ostream& out) { facts = program::write_mesh(out, cloud.points, shapes, options, show); });
+    const std::shared_ptr<const Mesh> made = make_mesh(described, options, show);
+    mesh->write([&](std::ostream& out) { program::write_mesh(out, *made, options); });
     mesh->commit();
     written.push_back(options.mesh);
-    return facts;
+    std::error_code error;
+    if(std::filesystem::is_regular_file(options.view, error)) { // else it is nowhere to be read again
+      std::ifstream page(options.view, std::ios::binary);
+      Output_file view(options.view);
+      view.write([&](std::ostream& out) { write_view_with_mesh(out, page, described, *made); });
+      view.commit();
+    }
+    return text_of_mesh(*made, described.shapes, options);
   }
 
 private:
@@ -323,7 +330,7 @@ void print(const std::string& text, const char* rest)
 }
 
 // What is to be said of the outlines is said when the line of progress is gone.
-void write_files(Output_files& files, const Shapes& shapes, const Options& o, bool is_first, Run& run)
+void write_files(Output_files& files, const Described_shapes& shapes, const Options& o, bool is_first, Run& run)
 {
   const std::size_t said = run.warnings.size();
   {
@@ -334,36 +341,16 @@ void write_files(Output_files& files, const Shapes& shapes, const Options& o, bo
     warn(run.warnings[i]);
 }
 
-// Why the mesh lacks planes.
-const char* limit_of_planes(const Options& o)
-{
-  return o.mesh_seconds  ? "--mesh-seconds"
-         : o.mesh_planes ? "--mesh-planes"
-                         : "they would cut space into too many cells";
-}
-
 // Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
-std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
+std::string write_mesh(Output_files& files, const Described_shapes& shapes, const Options& o, Run& run)
 try {
   Progress_line progress(!o.is_quiet && !o.mesh.empty(), "making the mesh");
-  const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
   const auto show = [&progress](double fraction) {
     progress.show(fraction);
     return true;
   };
-  if(const std::optional<Mesh_facts> facts = files.write_mesh(shapes, show)) {
-    const bool is_part = 3 * facts->points < 2 * points && o.footprint.empty() && !o.mesh_components;
-    const std::size_t omitted = facts->omitted_planes;
-    run.mesh = text_of(
-      facts->faces, " faces, of ", facts->planes, " of ", facts->usable_planes, " planes",
-      omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "", ", with ",
-      100 * facts->points / points, " % of the points of shapes",
-      is_part ? text_of(" (the others enclose no volume: ", facts->base ? "" : "--base HEIGHT closes roofs; or ",
-                        "scan the missing sides, or --crop a part)")
-              : "",
-      facts->base ? text_of("; on the ground at ", *facts->base) : "", "; ", std::lround(100 * facts->supported),
-      " % of its area has points");
-  }
+  if(files.has_mesh())
+    run.mesh = files.write_mesh(shapes, show);
   return {};
 } catch(const std::bad_alloc&) {
   return "--mesh: not enough memory";
@@ -372,16 +359,16 @@ try {
 }
 
 // The mesh and the summary, when all other files are complete.
-void finish(Output_files& files, const Shapes& shapes, const Options& o, Processes& processes, Run& run)
+void finish(Output_files& files, const Described_shapes& shapes, const Options& o, Processes& processes, Run& run)
 {
-  const std::string failure = make_mesh(files, shapes, o, run);
+  const std::string failure = write_mesh(files, shapes, o, run);
   run.files = files.names();
   const char* rest = files.is_empty() ? "" : "; the other files are complete";
   if(failure.empty() && !(files.is_empty() && o.mesh.empty()))
     rest = "; the files are complete";
   processes.together([&] {
     if(!o.is_quiet && processes.is_first())
-      print(summary(shapes, run), rest);
+      print(summary(shapes.shapes, run), rest);
     if(!failure.empty())
       throw_error(failure, rest);
   });
@@ -393,7 +380,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
     check_program(o, processes);
     read_known_planes(o);
     if(!o.footprint.empty())
-      read_footprints(o.footprint); // what is wrong with it is said before the work
+      o.footprints = read_footprints(o.footprint);
   });
   const Thread_limit limit(o.threads ? int(*o.threads) : processes.threads());
   Run run;
@@ -433,8 +420,8 @@ void run(Options o, Processes& processes, Made_folders& folders)
   add_warnings(warnings, processes.is_first(), run);
   for(Point_set::Index i : hidden)
     cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
-  const Shapes& sided = sides(*shapes);
-  processes.together([&] { write_files(*files, sided, o, processes.is_first(), run); });
+  const Described_shapes described(cloud.points, sides(*shapes), *o.up);
+  processes.together([&] { write_files(*files, described, o, processes.is_first(), run); });
   processes.together([&] {
     first_signal_removes = 0; // from here on, all files get their names
     check_signals();
@@ -446,7 +433,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
     if(is_interrupted())
       throw_error("interrupted; the files are complete");
   });
-  finish(*files, *shapes, o, processes, run);
+  finish(*files, described, o, processes, run);
 }
 
 void run_command_line(int argc, const char* const argv[], Processes& processes, Made_folders& folders)

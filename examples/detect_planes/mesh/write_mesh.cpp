@@ -3,9 +3,8 @@
 
 #include "output/writers.h"
 #include "errors.h"
-#include "mesh/footprints.h"
+#include "mesh/Mesh.h"
 
-#include <CGAL/Shape_regularization_tandem/closed_surface.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -21,10 +20,11 @@ namespace {
 
 using Surface = CGAL::Tandem::Closed_surface_3<Kernel>;
 
+// Of length 1.
 Kernel::Vector_3 upward(const Options& o)
 {
   const std::array<double, 3>& up = *o.up;
-  return Kernel::Vector_3(up[0], up[1], up[2]);
+  return Kernel::Vector_3(up[0], up[1], up[2]) / std::hypot(up[0], up[1], up[2]);
 }
 
 constexpr std::uint8_t ground_class = 2; // of LAS
@@ -32,20 +32,18 @@ constexpr std::uint8_t ground_class = 2; // of LAS
 using Classes = std::optional<Point_set::Property_map<std::uint8_t>>;
 
 // Those of which most points are not classified as ground.
-Shapes shapes_on_ground(const Point_set& points, const Shapes& shapes)
+std::vector<std::size_t> shapes_on_ground(const Point_set& points, const Shapes& shapes)
 {
   const Classes classes = find_property<std::uint8_t>(points, classification_name);
-  if(!classes)
-    return shapes;
-  std::vector<std::size_t> kept;
+  std::vector<std::size_t> result;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     std::size_t of_ground = 0;
-    for(std::uint32_t i : shapes.points(s))
-      of_ground += (*classes)[*(points.begin() + i)] == ground_class;
+    for(std::size_t k = 0; classes && k < shapes.size(s); ++k)
+      of_ground += (*classes)[*(points.begin() + shapes.points(s)[k])] == ground_class;
     if(2 * of_ground <= shapes.size(s))
-      kept.push_back(s);
+      result.push_back(s);
   }
-  return select_shapes(shapes, kept);
+  return result;
 }
 
 // The height of the lowest point of class 2, or, if there is none, of a shape.
@@ -54,7 +52,7 @@ double ground(const Point_set& points, const Shapes& shapes, const Kernel::Vecto
   const Classes classes = find_property<std::uint8_t>(points, classification_name);
   double of_class = std::numeric_limits<double>::infinity(), of_shapes = of_class;
   for(Point_set::Index i : points) {
-    const double height = (points.point(i) - CGAL::ORIGIN) * up / std::sqrt(up.squared_length());
+    const double height = (points.point(i) - CGAL::ORIGIN) * up;
     if(classes && (*classes)[i] == ground_class)
       of_class = (std::min)(of_class, height);
     if(shapes.shape_index(i) >= 0)
@@ -63,29 +61,15 @@ double ground(const Point_set& points, const Shapes& shapes, const Kernel::Vecto
   return std::isfinite(of_class) ? of_class : of_shapes;
 }
 
-// What the surface stands on, if that is known.
-struct Ground {
-  std::optional<double> base;
-  Footprints footprints;
-};
-
-Ground ground_of(const Point_set& points, const Shapes& shapes, const Options& o)
-{
-  Ground result;
-  result.base = o.is_base_ground ? ground(points, shapes, upward(o)) : o.base_height;
-  if(!o.footprint.empty())
-    result.footprints = read_footprints(o.footprint);
-  return result;
-}
-
 // Of as many planes as there is time for after the outlines: all of them in half of it, a quarter of them in half of the
 // rest, and so on.
-Surface make_surface(const Point_set& points, const Shapes& shapes, const Ground& ground, const Options& o,
+Surface make_surface(const Described_shapes& described, const std::optional<double>& base, const Options& o,
                      const CGAL::Tandem::Callback& show)
 {
   using Clock = std::chrono::steady_clock;
   Clock::time_point start = Clock::now();
-  const Shape_areas areas = CGAL::Tandem::polygons(shapes, points);
+  const Shape_areas& areas = described.areas();
+  const Shapes& shapes = described.shapes;
   std::chrono::duration<double> left(o.mesh_seconds.value_or(std::numeric_limits<double>::infinity()));
   left -= Clock::now() - start;
   long long planes = o.mesh_planes.value_or((std::numeric_limits<int>::max)());
@@ -99,10 +83,10 @@ Surface make_surface(const Point_set& points, const Shapes& shapes, const Ground
     const auto all = CGAL::Tandem::parameters::maximum_number_of_planes(int(planes))
                        .maximum_number_of_components(int(o.mesh_components.value_or(0)))
                        .symmetry_direction(upward(o))
-                       .footprints(ground.footprints)
+                       .footprints(o.footprints)
                        .callback(callback);
-    Surface surface = ground.base ? closed_surface(shapes, points, areas, all.base_height(*ground.base))
-                                  : closed_surface(shapes, points, areas, all);
+    Surface surface = base ? closed_surface(shapes, described.points, areas, all.base_height(*base))
+                           : closed_surface(shapes, described.points, areas, all);
     if(!is_late)
       return surface;
     left -= Clock::now() - start;
@@ -192,7 +176,7 @@ const Component* around(const Component& cavity, const std::vector<Component>& a
 const char* semantics_of(const Kernel::Vector_3& area, const Kernel::Vector_3& up)
 {
   const double sine = std::sin(10 * CGAL_PI / 180);
-  const double height = area * up / std::sqrt(area.squared_length() * up.squared_length());
+  const double height = area * up / std::sqrt(area.squared_length());
   return std::fabs(height) <= sine ? "WallSurface" : height > 0 ? "RoofSurface" : "GroundSurface";
 }
 
@@ -256,38 +240,77 @@ void write_city_json(std::ostream& out, const Surface& surface, const Options& o
   out << '\n';
 }
 
-} // namespace
-
-Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& all_shapes, const Options& o,
-                      const CGAL::Tandem::Callback& show)
+// Why there is none.
+[[noreturn]] void fail(std::size_t planes, const std::optional<double>& base, const Options& o)
 {
-  const Ground ground = ground_of(points, all_shapes, o);
-  const bool has_ground = ground.base || !ground.footprints.empty();
-  const Shapes& shapes = has_ground ? shapes_on_ground(points, all_shapes) : all_shapes;
-  const Surface surface = make_surface(points, shapes, ground, o, show);
-  const std::size_t planes = surface.number_of_planes;
-  if(surface.is_empty() && !ground.footprints.empty())
+  if(!o.footprints.empty())
     throw_error(
       "--mesh: no footprint has a volume: are its coordinates those of the cloud, and is the base below its roofs?");
-  if(surface.is_empty() && ground.base)
-    throw_error("--mesh: no volume was found that ", planes, " planes enclose with the ground at ", *ground.base,
+  if(base)
+    throw_error("--mesh: no volume was found that ", planes, " planes enclose with the ground at ", *base,
                 ": is --base below the roofs?");
-  if(surface.is_empty() && planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
+  if(planes < std::size_t(fewest_mesh_planes)) // walls may enclose a volume with fewer
     throw_error("--mesh: a closed surface needs four planes, but there are ", planes, "; --base HEIGHT closes roofs");
+  throw_error("--mesh: no volume was found that ", planes, " planes enclose; --base HEIGHT closes roofs");
+}
+
+// Why the mesh lacks planes.
+const char* limit_of_planes(const Options& o)
+{
+  return o.mesh_seconds  ? "--mesh-seconds"
+         : o.mesh_planes ? "--mesh-planes"
+                         : "they would cut space into too many cells";
+}
+
+} // namespace
+
+std::shared_ptr<const Mesh> make_mesh(const Described_shapes& all, const Options& o, const CGAL::Tandem::Callback& show)
+{
+  const Point_set& points = all.points;
+  Mesh mesh;
+  mesh.base = o.is_base_ground ? ground(points, all.shapes, upward(o)) : o.base_height;
+  std::vector<std::size_t> kept;
+  if(mesh.base || !o.footprints.empty())
+    kept = shapes_on_ground(points, all.shapes);
+  const bool is_part = !kept.empty() && kept.size() < all.shapes.number_of_shapes();
+  const Shapes& shapes = is_part ? select_shapes(all.shapes, kept) : all.shapes;
+  mesh.surface = make_surface(is_part ? Described_shapes(points, shapes, *o.up) : all, mesh.base, o, show);
+  const Surface& surface = mesh.surface;
   if(surface.is_empty())
-    throw_error("--mesh: no volume was found that ", planes, " planes enclose; --base HEIGHT closes roofs");
-  if(ends_in(o.mesh, city_json))
-    write_city_json(out, surface, o);
-  else
-    write_surface(out, surface, lower_case_extension(o.mesh));
+    fail(surface.number_of_planes, mesh.base, o);
+  std::vector<int> shape_of_plane(shapes.statistics().number_of_planes);
+  for(std::size_t s = shapes.number_of_shapes(); s-- > 0;)
+    shape_of_plane[shapes.coplanar_group(s)] = int(is_part ? kept[s] : s);
+  for(int plane : surface.plane_of_face)
+    mesh.shape_of_face.push_back(plane < 0 ? -1 : shape_of_plane[std::size_t(plane)]);
+  return std::make_shared<Mesh>(std::move(mesh));
+}
+
+std::string text_of_mesh(const Mesh& mesh, const Shapes& shapes, const Options& o)
+{
+  const Surface& surface = mesh.surface;
+  const std::size_t points = (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1));
+  const std::size_t omitted = surface.number_of_omitted_planes;
   const std::set<int> with_faces(surface.plane_of_face.begin(), surface.plane_of_face.end());
-  return {with_faces.size() - with_faces.count(-1),
-          surface.faces.size(),
-          planes + surface.number_of_omitted_planes,
-          surface.number_of_omitted_planes,
-          surface.number_of_points,
-          surface.supported,
-          ground.base};
+  const bool is_part = 3 * surface.number_of_points < 2 * points && o.footprints.empty() && !o.mesh_components;
+  return text_of(surface.faces.size(), " faces, of ", with_faces.size() - with_faces.count(-1), " of ",
+                 surface.number_of_planes + omitted, " planes",
+                 omitted > 0 ? text_of(" (without ", omitted, " with fewer points: ", limit_of_planes(o), ")") : "",
+                 ", with ", 100 * surface.number_of_points / points, " % of the points of shapes",
+                 is_part
+                   ? text_of(" (the others enclose no volume: ", mesh.base ? "" : "--base HEIGHT closes roofs; or ",
+                             "scan the missing sides, or --crop a part)")
+                   : "",
+                 mesh.base ? text_of("; on the ground at ", *mesh.base) : "", "; ",
+                 std::lround(100 * surface.supported), " % of its area has points");
+}
+
+void write_mesh(std::ostream& out, const Mesh& mesh, const Options& o)
+{
+  if(ends_in(o.mesh, city_json))
+    write_city_json(out, mesh.surface, o);
+  else
+    write_surface(out, mesh.surface, lower_case_extension(o.mesh));
 }
 
 } // namespace program

@@ -12,6 +12,8 @@
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
+#include <memory>
+
 namespace program {
 
 // --- The areas that the points of the shapes cover, an entry for each shape; and coplanar shapes as one.
@@ -158,18 +160,17 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
 
 // --- A closed surface made of the planes of the shapes.
 
-struct Mesh_facts {
-  std::size_t planes = 0, faces = 0; // of the surface
-  std::size_t usable_planes = 0;     // those that have an area
-  std::size_t omitted_planes = 0;    // of these, without the surface
-  std::size_t points = 0;            // of shapes, whose plane is the surface there
-  double supported = 0;              // the share of the area that has points
-  std::optional<double> base;        // the height of the ground
-};
+struct Mesh; // of mesh/Mesh.h
+
+// Throws an error that says why where there is none.
+std::shared_ptr<const Mesh> make_mesh(const Described_shapes& shapes, const Options& o,
+                                      const CGAL::Tandem::Callback& show);
+
+// What the summary says of it.
+std::string text_of_mesh(const Mesh& mesh, const Shapes& shapes, const Options& o);
 
 // The format is that of the extension of --mesh: .off, .obj, .ply or .city.json.
-Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o,
-                      const CGAL::Tandem::Callback& show);
+void write_mesh(std::ostream& out, const Mesh& mesh, const Options& o);
 
 // ---
 
@@ -192,6 +193,9 @@ void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes);
 // The page that shows a result in three dimensions: one file, which a browser opens from the disk. three.js and the page
 // around the data are parts of the program.
 void write_view(std::ostream& out, const Described_shapes& shapes, const Run& run);
+
+// The page that write_view() has written, and the mesh.
+void write_view_with_mesh(std::ostream& out, std::istream& page, const Described_shapes& shapes, const Mesh& mesh);
 
 } // namespace program
 

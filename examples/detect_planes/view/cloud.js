@@ -56,7 +56,8 @@ class Cloud {
       sliceNormal: value(vector([0, 0, 0])), sliceOffset: value(0), sliceReach: value(far) };
     this.layers = new Layers(this.scene, this.uniforms);
     this.layers.addPoints(points, inputColors);
-    this.layers.addTriangles(layers.triangles);
+    this.layers.addTriangles("surface", layers.triangles);
+    this.layers.addTriangles("model", layers.model);
     this.layers.addSegments(layers.segments);
   }
 
@@ -69,7 +70,7 @@ class Cloud {
 
   showLayer(name, isShown) {
     this.layers.show(name, isShown);
-    this.uniforms.lineShade.value = this.layers.isShown("surface") || this.layers.isShown("points") ? 0.75 : 0;
+    this.uniforms.lineShade.value = this.layers.shown().some(layer => layer !== "outlines") ? 0.75 : 0;
     this.requestRender();
   }
 

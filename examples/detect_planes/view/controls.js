@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The mouse, fingers, keys, and the buttons and sliders of the page.
-const layerNames = { points: "Points", outlines: "Outlines", surface: "Surface" };
+const layerNames = { points: "Points", outlines: "Outlines", surface: "Surface", model: "Model" };
 
 class Controls {
   constructor(page) {
@@ -19,7 +19,7 @@ class Controls {
     for (const [mode, title] of Object.entries(page.modes))
       byId("colors").append(element("button", { role: "radio", id: "color-" + mode,
                                                 onclick: () => page.setMode(mode) }, title));
-    for (const [name, title] of Object.entries(layerNames))
+    for (const [name, title] of Object.entries(layerNames).filter(([name]) => name in page.cloud.layers.objects))
       byId("layers").append(element("button", { "aria-pressed": String(name === "points"), id: "layer-" + name,
                                                 onclick: () => page.toggleLayer(name) }, title));
   }
@@ -96,7 +96,7 @@ class Controls {
                      h: () => document.body.classList.toggle("alone"), x: () => page.hideSelection(),
                      i: () => page.isolateSelection(), a: () => page.showAll(),
                      p: () => page.toggleLayer("points"), o: () => page.toggleLayer("outlines"),
-                     s: () => page.toggleLayer("surface"), m: () => page.measure.turn(!page.measure.isOn),
+                     s: () => page.toggleLayer("surface"), c: () => page.toggleLayer("model"), m: () => page.measure.turn(!page.measure.isOn),
                      "/": () => byId("search").focus(), "?": () => this.toggleHelp() };
     Object.keys(page.modes).forEach((mode, i) => result[i + 1] = () => page.setMode(mode));
     return result;

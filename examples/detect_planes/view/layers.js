@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines and triangles of the shapes. write_areas() in write_view.cpp describes their elements of the page.
+// Outlines and triangles of the shapes, and the model. write_view.cpp describes their elements of the page. A mark has
+// the shape, 24 bits, and the share of a face that has points, 8 bits.
 function readBytes(id) {
   const lines = byId(id).textContent.trim().split("\n").filter(line => line !== "").map(bytesOf);
   byId(id).remove();
@@ -17,13 +18,15 @@ function readBytes(id) {
 function decodeLayers(scene) {
   const corners = new Float32Array(readBytes("corners").buffer);
   return { corners, segments: segmentsOf(scene, new Uint32Array(readBytes("loops").buffer), corners),
-           triangles: trianglesOf(scene, new Uint32Array(readBytes("triangles").buffer), corners) };
+           triangles: trianglesOf(scene, new Uint32Array(readBytes("triangles").buffer), corners),
+           model: modelOf(readBytes("model")) };
 }
 
 function setMark(marks, place, shape) {
   marks[4 * place] = shape & 255;
   marks[4 * place + 1] = (shape >> 8) & 255;
   marks[4 * place + 2] = shape >> 16;
+  marks[4 * place + 3] = 255;
 }
 
 // Ends and shape of each segment: there are fewer than numbers.
@@ -57,6 +60,18 @@ function trianglesOf(scene, numbers, corners) {
   return { positions: positions.slice(0, 3 * size), marks: marks.slice(0, 4 * size) };
 }
 
+function modelOf(bytes) {
+  const view = new DataView(bytes.buffer), size = 3 * bytes.length / 40;
+  const positions = new Float32Array(3 * size), marks = new Uint8Array(4 * size);
+  for (let corner = 0; corner < size; ++corner) {
+    const first = 40 * Math.floor(corner / 3);
+    for (let k = 0; k < 3; ++k)
+      positions[3 * corner + k] = view.getFloat32(first + 12 * (corner % 3) + 4 * k, true);
+    marks.set(bytes.subarray(first + 36, first + 40), 4 * corner);
+  }
+  return { positions, marks };
+}
+
 class Layers {
   // All share the uniforms.
   constructor(scene, uniforms) {
@@ -74,11 +89,14 @@ class Layers {
     this.add("points", new THREE.Points(geometry, this.material(pointShader, discShader)));
   }
 
-  addTriangles({ positions, marks }) {
+  // Without triangles there is no layer.
+  addTriangles(name, { positions, marks }) {
+    if (marks.length === 0)
+      return;
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("mark", new THREE.BufferAttribute(marks, 4));
-    this.add("surface", new THREE.Mesh(geometry, this.material(triangleShader, flatShader, {
+    this.add(name, new THREE.Mesh(geometry, this.material(triangleShader, flatShader, {
       side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
   }
 

@@ -77,6 +77,8 @@ class Page {
                            plane: "A color for each plane of several shapes; the others are grey.",
                            input: "The colors of the input; a surface has the mean of its points.",
                            distance: "Distance to the plane of the shape, along its normal:" }[this.mode];
+    if (this.cloud.layers.shown().includes("model"))
+      legend.append(" Grey is what the model assumes: no points lie there.");
     if (this.mode !== "distance")
       return;
     const bar = element("div", { class: "ramp" });
@@ -97,10 +99,13 @@ class Page {
       this.cloud.showLayer(name, names.includes(name));
       byId("layer-" + name).setAttribute("aria-pressed", String(names.includes(name)));
     }
+    this.writeLegend();
     this.changed();
   }
 
   toggleLayer(name) {
+    if (!(name in this.cloud.layers.objects))
+      return; // a model is not in each page
     const shown = this.cloud.layers.shown();
     this.setLayers(shown.includes(name) ? shown.filter(other => other !== name) : [...shown, name]);
   }

@@ -74,8 +74,10 @@ const triangleShader = lookShader + `
   attribute vec3 position;
   attribute vec4 mark;
   varying vec3 color, place;
+  varying float seen;
   void main() {
     vec4 look = lookOf(mark);
+    seen = isPicking ? 1.0 : mark.w / 255.0;
     place = position;
     color = shown(look.rgb, look, mark);
     gl_Position = look.a < 0.1 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(position, 1.0);
@@ -91,6 +93,7 @@ const segmentShader = lookShader + `
   uniform float nearest, lineShade;
   uniform vec3 lineColor;
   varying vec3 color, place;
+  varying float seen;
 
   // The end of a segment, or where it comes in front of the viewer.
   vec3 visible(vec3 a, vec3 b) {
@@ -99,6 +102,7 @@ const segmentShader = lookShader + `
 
   void main() {
     vec4 look = lookOf(mark);
+    seen = 1.0;
     color = shown(mix(look.rgb, lineColor, lineShade), look, mark);
     place = mix(first, last, position.x);
     vec3 a = (modelViewMatrix * vec4(first, 1.0)).xyz, b = (modelViewMatrix * vec4(last, 1.0)).xyz;
@@ -112,10 +116,13 @@ const segmentShader = lookShader + `
       gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   }`;
 
+// Grey stripes are as wide as the share without points.
 const flatShader = "precision highp float;" + clipShader + `
   varying vec3 color, place;
+  varying float seen;
   void main() {
     if (isClipped(place))
       discard;
-    gl_FragColor = vec4(color, 1.0);
+    bool isStripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) >= seen;
+    gl_FragColor = vec4(isStripe ? vec3(0.5) : color, 1.0);
   }`;

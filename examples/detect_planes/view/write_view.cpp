@@ -1,12 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "mesh/Mesh.h"
 #include "output/writers.h"
 #include "view/write_points.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <boost/algorithm/string/replace.hpp>
+
+#include <cstring>
+#include <iterator>
 
 namespace program {
 
@@ -16,6 +20,8 @@ extern const char* const page_before_data[];
 extern const char* const page_after_data[];
 
 namespace {
+
+const std::string no_model = "<script type=\"text/plain\" id=\"model\">\n</script>\n";
 
 // --- Outlines and triangles of the shapes
 
@@ -184,6 +190,34 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
     for(std::size_t i = 0; colors && i < positions.size(); ++i)
       for(std::uint16_t channel : (*colors)[*(points.begin() + std::ptrdiff_t(positions[i]))])
         lines.write(std::uint8_t(channel >> 8));
+  });
+  out << no_model;
+  write_pieces(out, page_after_data);
+}
+
+// In place of the empty element, which is before the last pieces. For each triangle nine floats, the coordinates of its
+// corners relative to the center of the page; the index of a shape in its plane, or the number of shapes, of 24 bits; and
+// a byte for the share of its face that has points.
+void write_view_with_mesh(std::ostream& out, std::istream& page, const Described_shapes& described, const Mesh& mesh)
+{
+  std::size_t behind = no_model.size();
+  for(const char* const* piece = page_after_data; *piece != nullptr; ++piece)
+    behind += std::strlen(*piece);
+  std::string text(std::istreambuf_iterator<char>(page), {});
+  text.resize(text.size() - behind);
+  out << text;
+  const Kernel::Point_3 center = center_of(box_of_shapes(described.points, described.shapes));
+  const CGAL::Tandem::Closed_surface_3<Kernel>& surface = mesh.surface;
+  write_numbers(out, "model", [&](Base64_lines& lines) {
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      for(std::size_t corner : surface.triangles[t])
+        for(int k = 0; k < 3; ++k)
+          lines.write(float(surface.points[corner][k] - center[k]));
+      const std::size_t face = surface.face_of_triangle[t];
+      const int shape = mesh.shape_of_face[face];
+      const std::size_t mark = shape < 0 ? described.shapes.number_of_shapes() : std::size_t(shape);
+      lines.write(std::uint32_t(mark + (std::size_t(std::lround(255 * surface.supported_of_face[face])) << 24)));
+    }
   });
   write_pieces(out, page_after_data);
 }

@@ -183,7 +183,7 @@ const tests = {
     await b.shows(start, ceiling, "after R");
   },
 
-  // Points, outlines, surface, and the colors of the input.
+  // Points, outlines, surface, model, and the colors of the input.
   async layers(b) {
     const { ceiling, selected, middle } = await above(b, "unassigned=0&elevation=60&size=-20");
     const region = square(middle, 60), edge = square(await b.place([3, 0, 1.5]), 24);
@@ -202,6 +202,13 @@ const tests = {
     await b.expectRatio(edge, nothing, 0.5, 0.95, "beside the outline");
     await b.expectAddress("layers=outlines");
     await b.press("o");
+    await b.press("c");
+    await b.expectRatio(region, ceiling, 0.98, 1, "of the model");
+    await b.clickAt(middle);
+    await b.expectState("page.selection", selected);
+    await b.press("Escape");
+    await b.expectAddress("layers=model");
+    await b.press("c");
     await b.press("p");
     await b.expectState("page.cloud.layers.shown()", ["points"]);
 

@@ -73,7 +73,7 @@ def room(p):
     rows = np.concatenate([*faces, face(1, 3.7, -1, [2, 1], [4, 2], [250, 240, 10]), air])
     text = "".join("{:.4f} {:.4f} {:.4f} {:g} {:g} {:g} {:g} {:g} {:g}\n".format(*row) for row in rows)
     p.write({"room.xyz": "x y z nx ny nz red green blue\n" + text})
-    p(0, NOTHING, "room.xyz --maximum-distance 0.02 --quiet --view room.html")
+    p(0, NOTHING, "room.xyz --maximum-distance 0.02 --quiet --view room.html --mesh room.off")
     return p.path("room.html")
 
 

@@ -72,7 +72,7 @@ def test_data(p):
     # corners and at least four of these, and triangles are their number and at least two; no colors.
     for name, least in (("corners", 7 * 12), ("loops", 3 * 4 * 6), ("triangles", 3 * 4 * 7)):
         assert (len(element(page, name)) - 1) // 4 * 3 >= least
-    assert element(page, "input-colors", "") == ""
+    assert element(page, "input-colors", "") == "" and element(page, "model", "") == ""
 
 
 def shown_points(page, center):
@@ -100,6 +100,22 @@ def test_points(p):
     assert len(shown) == 9500 and np.abs(shown[:, :3] - rows[order]).max() < 1e-4
     distances = np.where(labels[order] == 0, (rows[order] @ plane[:3] + plane[3]) / .02, 0)
     assert np.abs(shown[:, 3] - distances).max() < .01
+
+
+@needs_page
+def test_model(p):
+    """Of a roof down to its base: the roof has points, walls and floor have no shape and none."""
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(.1, 10, .2), np.arange(.1, 8, .2)))
+    p.write({"roof.xyz": text_of(np.column_stack([x, y, 9 - .75 * abs(y - 4) + .01 * np.sin(9 * x + 7 * y)]))})
+    p(0, NOTHING, "roof.xyz --maximum-distance 0.05 --quiet --base 0 --view roof.html --mesh roof.obj")
+    page = p.read("roof.html")
+    assert page.endswith("</html>\n")
+    triangles = np.frombuffer(base64.b64decode(element(page, "model")), [("corners", "<f4", (3, 3)), ("mark", "<u4")])
+    center = json.loads(re.search('id="scene">({[^<]*)<', page).group(1))["center"]
+    corners, shape, seen = triangles["corners"] + center, triangles["mark"] & 0xffffff, triangles["mark"] >> 24
+    heights = np.abs(np.linalg.det(corners)).sum() / 6
+    assert heights == pytest.approx(600, rel=.06)  # from the origin, a corner of the base
+    assert set(shape) == {0, 1, 2} and seen[shape < 2].min() > 200 and seen[shape == 2].max() == 0
 
 
 @needs_page
