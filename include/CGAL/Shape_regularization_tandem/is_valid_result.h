@@ -27,8 +27,10 @@ using Checking_tag = typename std::conditional<Is_given<internal_np::communicato
 detection.
 
 Returns `true` only if each point is in at most one shape and within the tolerances of it, shapes are large enough and
-connected, parameters are within their ranges, and relations are exactly those of the planes. Statistics and
-uncertainties are not measured again. The function cannot tell whether the same shapes were detected with other
+connected, parameters are within their ranges, and relations are exactly those of the planes. The counts of points and
+shapes of the statistics, the coverage, and the mean distance, up to a thousandth of `maximum_distance`, have to be those
+of the points; of a result of `select_shapes()`, the mean distance is that of all shapes, and not measured again.
+Uncertainties and other statistics are not. The function cannot tell whether the same shapes were detected with other
 parameters.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time

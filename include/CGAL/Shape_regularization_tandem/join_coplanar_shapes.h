@@ -36,11 +36,13 @@ inline std::vector<char> are_mostly_flipped(const Shapes_data& data, std::size_t
 
 \brief makes one shape of all shapes of each coplanar group: a result with one shape for each distinct plane.
 
-Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, so
-`is_valid_result()` returns `false` for the result; all else that `Planar_shapes_3` promises holds. A joined shape is
-flipped if the shapes with most of its points are. The function computes anew: `uncertainty()`, the numbers of shapes
-and relations, and the terms of `Statistics::score` except its links. All other statistics remain those of the
-detection.
+Shape s of the result is coplanar group s of `shapes`, with all of its points. What `Planar_shapes_3` promises holds, but
+for this:
+
+- a shape need not be connected, so `is_valid_result()` returns `false`;
+- a shape is flipped if the shapes with most of its points are, whatever the normals of most points;
+- the links of `Statistics::score` remain those of the detection, and so do all statistics but the numbers of shapes
+  and relations and the other terms of the score.
 
 \return the result with one shape for each distinct plane
 \param shapes the result of a detection

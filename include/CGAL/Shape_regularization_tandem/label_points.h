@@ -153,7 +153,8 @@ so shapes without points here take none.
     \cgalParamDefault{those of `shapes.parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance_map}
-    \cgalParamDescription{as in `detect_planes()`: the tolerance of each point; larger ones count as `maximum_distance`}
+    \cgalParamDescription{as in `detect_planes()`: the tolerance of each point; larger ones, and infinity, count as
+    `maximum_distance`}
     \cgalParamDefault{`maximum_distance` for all}
   \cgalParamNEnd
   \cgalParamNBegin{shape_points}
@@ -169,7 +170,7 @@ so shapes without points here take none.
 \cgalNamedParamsEnd
 
 \return the shape of each point, in the order of the range; -1 for points that no shape takes, and for those that a
-detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
+detection would ignore: a coordinate or normal is not finite, the normal is null, or the tolerance is not above 0
 
 \throw Parameter_error a parameter is outside of its range
 \throw std::invalid_argument the number of `shape_points` is not that of the detection, or one that belongs to a shape

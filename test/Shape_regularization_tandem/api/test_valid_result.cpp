@@ -109,6 +109,13 @@ BOOST_AUTO_TEST_CASE(test_planes)
   });
 }
 
+BOOST_AUTO_TEST_CASE(test_statistics)
+{
+  CHECK(shapes.statistics().mean_distance > .1 * shapes.parameters().maximum_distance);
+  refuse("mean_distance", [](Data& d) { d.statistics.mean_distance *= 1.01; });
+  refuse("free_points", [](Data& d) { ++d.statistics.free_points.unselected; });
+}
+
 // Points of a strip are taken out of the largest face, so that it falls into two parts.
 BOOST_AUTO_TEST_CASE(test_connectivity)
 {

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -175,6 +176,27 @@ inline std::uint64_t common_hash(const Shapes_data& data)
   return std::hash<std::string_view>()(std::string_view(bytes, numbers.size() * sizeof(double)));
 }
 
+// A number of the statistics, and what it should be.
+struct Statistic {
+  const char* name;
+  double found, expected, margin;
+};
+
+inline std::string first_violation(std::initializer_list<Statistic> numbers)
+{
+  for(const auto& [name, found, expected, margin] : numbers)
+    if(!(std::fabs(found - expected) <= margin))
+      return "the statistics are wrong: " + std::string(name) + " is " + to_text(found) + " instead of " +
+             to_text(expected);
+  return {};
+}
+
+// Exact: a double has all numbers of points. One that is too large for it is wrong in any case.
+inline Statistic count_of(const char* name, std::size_t found, std::size_t expected)
+{
+  return {name, double(found), double(expected), 0};
+}
+
 // Memory and time are those of a neighbor search, and of a few passes over the points.
 template <class GeomTraits>
 class Result_checker {
@@ -205,6 +227,7 @@ public:
     check_sums(ranks);
     check_connectivity(backend);
     check_listing(data_);
+    check_statistics();
   }
 
 private:
@@ -268,6 +291,7 @@ private:
     constexpr double packing = 2e-4; // the method decides on packed normals, which are turned a little
     const double cosine = cosine_deg(data_.parameters.maximum_angle);
     opposed_.assign(2 * data_.coefficients.size(), 0);
+    distances_ = {0, 0};
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
       if(data_.shape_of[item] < 0)
@@ -289,6 +313,8 @@ private:
       if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         refuse(numbered("too oblique is the normal of point", item) + ": the cosine is " + to_text(std::fabs(aligned)) +
                " with that of " + numbered("shape", s));
+      ++distances_[0];
+      distances_[1] += std::uint64_t(distance / epsilon * distance_units + .5);
       opposed_[2 * s] += aligned < -packing;
       opposed_[2 * s + 1] += aligned < packing;
     }
@@ -316,6 +342,31 @@ private:
     opposed_ = ranks.total(std::move(opposed_));
     check_sizes(size);
     check_orientations(size);
+    distances_ = ranks.total(std::move(distances_));
+  }
+
+  // Those that follow from points and labels. A selection keeps the mean distance of the shapes that it is of.
+  void check_statistics() const
+  {
+    const Statistics& t = data_.statistics;
+    const auto& total = in_.total;
+    const double assigned = double(distances_[0]), items = double(total.items);
+    const double mean = assigned > 0 ? double(distances_[1]) / distance_units / assigned : 0;
+    const bool is_mean_of_others = t.free_points.unselected > 0;
+    const std::string violation = first_violation(
+      {count_of("number_of_points", t.number_of_points, total.items),
+       count_of("number_of_ignored_coordinates", t.number_of_ignored_coordinates, total.ignored_coordinates),
+       count_of("number_of_ignored_normals", t.number_of_ignored_normals, total.ignored_normals),
+       count_of("number_of_ignored_tolerances", t.number_of_ignored_tolerances, total.ignored_tolerances),
+       count_of("number_of_far_points", t.number_of_far_points, total.far_points),
+       count_of("number_of_assigned_points", t.number_of_assigned_points, distances_[0]),
+       count_of("the sum of free_points", t.free_points.total(), total.points - distances_[0]),
+       count_of("number_of_shapes", t.number_of_shapes, data_.coefficients.size()),
+       {"coverage", t.coverage, total.items > 0 ? assigned / items : 0, 0},
+       {"mean_distance", t.mean_distance, mean * data_.parameters.maximum_distance,
+        is_mean_of_others ? data_.parameters.maximum_distance : in_.grid.step}});
+    if(!violation.empty())
+      refuse(violation);
   }
 
   // Size: the number of points, and no shape is below the minimum.
@@ -362,7 +413,10 @@ private:
   Import& in_;
   const Shapes& shapes_;
   const Shapes_data& data_;
-  std::vector<std::uint64_t> opposed_; // of each shape: the normals that are surely, and those that may be opposite
+  std::vector<std::uint64_t> opposed_;   // of each shape: the normals that are surely, and those that may be opposite
+  std::vector<std::uint64_t> distances_; // of points of shapes: how many, and their sum in units
+
+  static constexpr double distance_units = 1 << 15; // in epsilon
 };
 
 // The first violation, or an empty text.
