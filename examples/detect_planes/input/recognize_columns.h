@@ -102,15 +102,20 @@ inline Column_verdict judge_x(const std::vector<Column_look>& looks, std::size_t
   const bool is_other = x.digits >= 0 && are_alike && x.digits != b.digits;
   const bool are_real = b.is_real && c.is_real && d.is_real;
   const bool are_scattered = 2 * b.different > b.count && 2 * c.different > c.count;
-  const bool are_codes = !x.is_rising && x.different >= fewest_codes;
+  const auto are_codes = [](const Column_look& look) { return !look.is_rising && look.different >= fewest_codes; };
   if(x.is_integer &&
-     (is_other || (are_real && (!x.has_copies() || (are_scattered && (are_codes || x.digits != b.digits))))))
-    return {"integers before other numbers", !x.has_copies() || are_codes};
+     (is_other || (are_real && (!x.has_copies() || (are_scattered && (are_codes(x) || x.digits != b.digits))))))
+    return {"integers before other numbers", !x.has_copies() || are_codes(x)};
   if(is_other)
     return {"other digits than the next columns", fewest_codes * x.different > x.count};
   const Column_look e = first + 4 < looks.size() ? looks[first + 4] : Column_look();
-  if(x.is_integer && b.is_integer && c.digits > 0 && c.digits == d.digits && c.digits == e.digits)
-    return {"integers before other numbers", !x.has_copies()};
+  if(b.is_integer && b.different > 1 && c.is_real && d.is_real && e.is_real) {
+    const bool has_next_alike = c.digits > 0 && c.digits == d.digits && c.digits == e.digits;
+    if(x.is_integer && (has_next_alike || !x.has_copies()))
+      return {"integers before other numbers", !x.has_copies()};
+    if(!x.is_integer && has_next_alike)
+      return {"before integers", are_codes(b)};
+  }
   const bool counts = x.is_integer && !x.has_copies() && b.is_integer && b.has_copies() && c.is_integer &&
                       c.has_copies() && x.count >= fewest_rows_of_integers;
   if(counts && !x.is_rising)
