@@ -26,12 +26,14 @@ struct Column_look {
   bool has_copies() const { return different < count; }
 };
 
-// Behind the point.
+// Behind the point. A number with an exponent is written otherwise than one without.
 inline int digits_of(std::string_view number)
 {
-  number.remove_prefix((std::min)(number.find('.'), number.size()));
-  const auto end = std::find_if_not(number.begin() + (number.empty() ? 0 : 1), number.end(), is_digit);
-  return number.empty() ? 0 : int(end - number.begin()) - 1;
+  constexpr int with_exponent = 100;
+  const int before = number.find_first_of("eE") == number.npos ? 0 : with_exponent;
+  const std::size_t point = (std::min)(number.find('.'), number.size() - 1);
+  const auto end = std::find_if_not(number.begin() + std::ptrdiff_t(point) + 1, number.end(), is_digit);
+  return before + int(end - number.begin()) - int(point) - 1;
 }
 
 // Zeros may be written with fewer digits, and are integers whatever a column has.

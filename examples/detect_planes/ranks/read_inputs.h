@@ -190,8 +190,13 @@ public:
 
   void show()
   {
-    for(const auto& [i, point] : hidden)
+    if(hidden.empty())
+      return;
+    const auto has_none = points.add_property_map<bool>(no_value_name, false).first;
+    for(const auto& [i, point] : hidden) {
       points.point(i) = point;
+      has_none[i] = true;
+    }
   }
 
 private:

@@ -9,7 +9,7 @@ import random
 import re
 
 import numpy as np
-from clouds import ptx, rows_of, turned_room
+from clouds import ptx, read_las, rows_of, turned_room
 from support import (BARE, CLOUD, CUBE, HAS_GZIP, N, NOTHING, PROGRAM, VERTICES, WARNS, XYZ, cases, off, pcd, ply,
                      refused_files, table, text_of)
 
@@ -189,7 +189,7 @@ NO_NUMBERS = "integers before other numbers"
     *(("xyz gray", 3, "x y z intensity", digits, scale) for digits, scale in ((4, 1), (0, 1000), (None, 1))),
     *((f"{order} {behind}", 4, "x y z intensity", 4, 1) for order in ("xyz", "sorted", "far", "level", "wall")
       for behind in ("ratio", "gray")),
-    ("sorted gray", 5, "x y z intensity", 0, 1000), ("xyz gray gray gray", 6, "x y z r g b", 0, 1000),
+    ("sorted gray", 5, "x y z intensity", 0, 1000), ("far ratio", 5, "x y z intensity", None, 1), ("xyz gray gray gray", 6, "x y z r g b", 0, 1000),
     ("xyz gray ring week", 7, "x y z _ _ _ .column 4: integers; column 5: integers; column 6: numbers.", 3, 1),
     ("xyz code", 8, "x y z _ .column 4: words.", 3, 1),
     # Something else is before them.
@@ -220,7 +220,7 @@ def test_columns_without_names(p, kinds, seed, columns, digits, scale):
     p.write({"nameless.xyz": "".join(" ".join(row) + "\n" for row in zip(*cells))})
     arguments = f"nameless.xyz --maximum-distance {.02 * scale} --report n.json"
     if columns:
-        p(0, f"columns +{columns}\n", arguments)
+        p(WARNS if digits is None and "far" in kinds else 0, f"columns +{columns}\n", arguments)  # rounded
         assert re.fullmatch(f"columns {columns}", p.json("n.json")["notes"][0])
         return
     text = p(1, "nameless.xyz: x may be column 1 or 2 .column 1: .*: pass --columns '", arguments)
@@ -251,6 +251,10 @@ def test_no_values(p, value, axes, kind):
     assert (np.delete(labels, np.s_[::9]) == p.labels("o.labels")).all()
     counts = p.json("w.json")["counts"]
     assert counts["ignored_zeros"] + counts["ignored_no_values"] == counts["ignored"] == count
+    # The grid of LAS is as fine as without them.
+    p(WARNS, what, "values.xyz --maximum-distance .02 --quiet --output v.las")
+    points = read_las(p.path("v.las").read_bytes()).points
+    assert len(points) == len(room) and abs(np.delete(points, np.s_[::9], 0) - np.delete(room, np.s_[::9], 0)).max() < 6e-5
     written = p.csv("v.csv")
     assert len(written) == len(room) and (written["xyz"[axes[0]]][::9] == float(value)).all()
 
