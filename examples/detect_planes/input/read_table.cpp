@@ -152,8 +152,8 @@ bool are_normals(const Sample& rows, std::size_t first)
   return unit > 9 * other;
 }
 
-// The columns of a table without a line of names, of which x is the column `first`. In a .pts file the
-// intensity comes before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
+// The columns of a table without a line of names, of which x is the column `first`. In a .pts file the intensity comes
+// before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
 std::vector<Column> recognize_columns(const Sample& rows, std::size_t first, const std::string& extension)
 {
   const std::size_t all = rows.empty() ? 0 : rows.front().size(), count = all - first;

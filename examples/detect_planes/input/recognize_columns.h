@@ -91,6 +91,7 @@ struct Column_verdict {
 inline Column_verdict judge_x(const std::vector<Column_look>& looks, std::size_t first)
 {
   constexpr std::size_t fewest_rows = 10, fewest_rows_of_integers = 100, fewest_codes = 4;
+  constexpr std::size_t most_copies = 4; // of the time of a pulse, by its returns
   constexpr double largest_length = 1e8; // more than the girth of the Earth in meters
   constexpr double far = 1000;           // the ratio of a time to lengths
   const Column_look &x = looks[first], &b = looks[first + 1], &c = looks[first + 2], &d = looks[first + 3];
@@ -108,8 +109,8 @@ inline Column_verdict judge_x(const std::vector<Column_look>& looks, std::size_t
   if(x.is_integer &&
      (is_other || (are_real && (!x.has_copies() || (are_scattered && (are_codes(x) || x.digits != b.digits))))))
     return {"integers before other numbers", !x.has_copies() || are_codes(x)};
-  if(is_other)
-    return {"other digits than the next columns", fewest_codes * x.different > x.count};
+  if(is_other && most_copies * x.different > x.count)
+    return {"other digits than the next columns"};
   const Column_look e = first + 4 < looks.size() ? looks[first + 4] : Column_look();
   if(b.is_integer && b.different > 1 && c.is_real && d.is_real && e.is_real) {
     const bool has_next_alike = c.digits > 0 && c.digits == d.digits && c.digits == e.digits;

@@ -104,6 +104,9 @@ test_refused = refused_files([
     # Names and extensions
     ("strange.csv", None, "row 1 is a line of names without x, y and z .name the columns by --columns.\n"),
     ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., not a table"),
+    *((f"cloud.{kind}", "1 2 3\n", f"this program does not read .{kind}; {advice}") for kind, advice in (
+        ("npy", "write the array as text by numpy.savetxt"), ("vtk", "convert the file to PLY, .* ParaView"),
+        ("splat", "convert the file to PLY, .* SuperSplat"))),
     ("cloud.doc", "1 2 3\n", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
 
 
@@ -180,7 +183,7 @@ def column_of(kind, rng, count):
     return [str(value) for value in values]
 
 
-NO_NUMBERS = "integers before other numbers"
+INTEGERS = "integers before other numbers"
 
 
 @table("kinds, seed, columns, digits, scale", [
@@ -193,17 +196,18 @@ NO_NUMBERS = "integers before other numbers"
     ("xyz gray ring week", 7, "x y z _ _ _ .column 4: integers; column 5: integers; column 6: numbers.", 3, 1),
     ("xyz code", 8, "x y z _ .column 4: words.", 3, 1),
     # Something else is before them.
-    *((f"{kind} xyz", 9, f"_ x y z .column 1: {NO_NUMBERS}.", 3, 1) for kind in ("id", "shuffled", "ring")),
-    *((f"{kind} xyz gray", 10, f"_ x y z intensity .column 1: {NO_NUMBERS}.", None, 1) for kind in ("id", "shuffled", "ring")),
+    *((f"{kind} xyz", 9, f"_ x y z .column 1: {INTEGERS}.", 3, 1) for kind in ("id", "shuffled", "ring")),
+    *((f"{kind} xyz gray", 10, f"_ x y z intensity .column 1: {INTEGERS}.", None, 1)
+      for kind in ("id", "shuffled", "ring")),
     ("shuffled xyz", 11, "_ x y z .column 1: a different integer in each row.", 0, 1000),
     ("unix xyz", 12, "_ x y z .column 1: too large for a length.", 4, 1),
     ("week far", 13, "_ x y z .column 1: other digits than the next columns.", 3, 1),
     ("clock xyz", 14, "_ x y z .column 1: equal steps from row to row.", 6, 1),
-    ("id far code", 15, f"_ x y z _ .column 1: {NO_NUMBERS}; column 5: words.", 2, 1),
+    ("id far code", 15, f"_ x y z _ .column 1: {INTEGERS}; column 5: words.", 2, 1),
     ("name xyz gray", 16, "_ x y z intensity .column 1: words.", 3, 1),
-    ("code id xyz", 17, f"_ _ x y z .column 1: words; column 2: {NO_NUMBERS}.", 3, 1),
-    ("times ring xyz", 18, f"_ _ x y z .column 1: before integers; column 2: {NO_NUMBERS}.", 3, 1),
-    ("id ring xyz", 19, f"_ _ x y z .column 1: {NO_NUMBERS}; column 2: {NO_NUMBERS}.", 3, 1),
+    ("code id xyz", 17, f"_ _ x y z .column 1: words; column 2: {INTEGERS}.", 3, 1),
+    ("times ring xyz", 18, f"_ _ x y z .column 1: before integers; column 2: {INTEGERS}.", 3, 1),
+    ("id ring xyz", 19, f"_ _ x y z .column 1: {INTEGERS}; column 2: {INTEGERS}.", 3, 1),
     # Either may be.
     *((kinds, 20, "", digits, scale) for kinds, digits, scale in (
         ("rings xyz", 3, 1), ("id xyz", 0, 1000), ("rounded xyz", 4, 1), ("ring ring xyz", 3, 1)))])
@@ -229,8 +233,9 @@ def test_columns_without_names(p, kinds, seed, columns, digits, scale):
     p(WARNS if kinds == "ring ring xyz" else 0, f"columns +{second}\n", f"{arguments} --columns '{second}'")
 
 
-@table("value, axes, kind", [("-9999", [2], "xyz"), ("-99999.00", [0, 1, 2], "far"), ("1e10", [0], "xyz"), ("-32768", [2], "far"),
-                             ("0", [0, 1, 2], "far"), ("-1000.5", [1], "xyz"), ("3.4028235e38", [2], "xyz")])
+@table("value, axes, kind", [
+    ("-9999", [2], "xyz"), ("-99999.00", [0, 1, 2], "far"), ("1e10", [0], "xyz"), ("-32768", [2], "far"),
+    ("0", [0, 1, 2], "far"), ("-1000.5", [1], "xyz"), ("3.4028235e38", [2], "xyz")])
 def test_no_values(p, value, axes, kind):
     """They are counted, told, and free; the others are as without them, and no point is lost."""
     room = turned_room() + (0 if kind == "xyz" else (512345, 4512345, 200))
@@ -241,8 +246,8 @@ def test_no_values(p, value, axes, kind):
     p.write({"values.xyz": "".join(" ".join(row) + "\n" for row in rows),
              "others.xyz": "".join(" ".join(row) + "\n" for i, row in enumerate(rows) if i % 9)})
     count = len(rows[::9])
-    what = f"{count} points are exactly at 0 0 0, like" if value == "0" else (
-        f"points with {'xyz'[axes[0]]} {float(value):.10g}".replace("+", "[+]") + f", far from all others.* left out: {count}")
+    what = f"points with {'xyz'[axes[0]]} {float(value):.10g}, far from all others.* left out: {count}".replace("+", "[+]")
+    what = f"{count} points are exactly at 0 0 0, like" if value == "0" else what
     outputs = "--labels v.labels --planes v.planes --output v.csv"
     p.warns(f"values.xyz --maximum-distance .02 {outputs}", what)
     p(0, NOTHING, "others.xyz --maximum-distance .02 --quiet --planes o.planes --labels o.labels")
