@@ -387,9 +387,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
   run.processes = processes.size();
   Input_cloud cloud;
   const std::vector<int> rank_of_input = read_inputs(o, processes, cloud, run);
-  std::vector<Point_set::Index> hidden;
-  if(o.ignores_zeros)
-    hidden = hide_zeros(cloud.points, processes, run.zeros);
+  Hidden_points hidden(o, cloud.points, processes, run);
   std::optional<Output_files> files;
   // The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
   for(bool is_turn_of_first : {true, false})
@@ -418,8 +416,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
   run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
   run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
   add_warnings(warnings, processes.is_first(), run);
-  for(Point_set::Index i : hidden)
-    cloud.points.point(i) = Kernel::Point_3(0, 0, 0);
+  hidden.show();
   const Described_shapes described(cloud.points, sides(*shapes), *o.up);
   processes.together([&] { write_files(*files, described, o, processes.is_first(), run); });
   processes.together([&] {

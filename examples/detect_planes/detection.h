@@ -306,8 +306,10 @@ try {
       continue;
     if(values == 0 && !std::all_of(cells.begin(), cells.end(), parse_number)) {
       for(std::size_t c = 0; c < 4; ++c) {
-        const std::string_view name = std::string_view("abcd").substr(c, 1);
-        columns[c] = std::size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
+        const auto is_name = [c](std::string_view cell) {
+          return plain_name(cell) == std::string("abcd").substr(c, 1);
+        };
+        columns[c] = std::size_t(std::find_if(cells.begin(), cells.end(), is_name) - cells.begin());
         if(columns[c] == cells.size())
           fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
       }
@@ -408,8 +410,7 @@ try {
   return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
                                    : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
 } catch(const CGAL::Tandem::Parameter_error& e) {
-  const tandem_examples::Cloud_box own = tandem_examples::box_of(points.points(), Processes());
-  throw_error(option_message(e, o), (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
+  throw std::runtime_error(option_message(e, o));
 }
 
 // Of the whole run, on all ranks.

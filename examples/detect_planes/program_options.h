@@ -72,7 +72,8 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
     "planes are towards it. The program refuses an input with normals, unless you pass --estimate-normals or --noise "
     "(default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, and the place in .ptx of one scan)");
   add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
-      "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras: they get no shape");
+      "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras, also where they are few or near other "
+      "points: they get no shape");
   all.add(group);
 }
 

@@ -144,16 +144,21 @@ inline char separator_of(std::string_view row)
 
 using Cells = std::vector<std::string_view>;
 
-// The values of a row. Between two commas or semicolons there may be an empty one; blanks around them do not count.
+// The values of a row. Between two commas or semicolons there may be an empty one; blanks around them do not count, nor do
+// quotes, in which a value may have separators.
 inline Cells values_of(std::string_view row, char separator)
 {
   Cells values;
   const auto is_end = [=](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
   for(row.remove_prefix(first_not_blank(row)); !row.empty(); row.remove_prefix(first_not_blank(row))) {
-    std::string_view value = row.substr(0, std::size_t(std::find_if(row.begin(), row.end(), is_end) - row.begin()));
+    const std::size_t quote = row.front() == '"' ? row.find('"', 1) : row.npos;
+    const auto first = row.begin() + std::ptrdiff_t(quote == row.npos ? 0 : quote);
+    std::string_view value = row.substr(0, std::size_t(std::find_if(first, row.end(), is_end) - row.begin()));
     row.remove_prefix((std::min)(value.size() + 1, row.size()));
     while(!value.empty() && is_blank(value.back()))
       value.remove_suffix(1);
+    if(quote != row.npos && quote + 1 == value.size())
+      value = value.substr(1, quote - 1);
     values.push_back(value);
   }
   return values;

@@ -33,6 +33,7 @@ constexpr const char* color_name = "input_color";             // Input_color
 constexpr const char* intensity_name = "intensity";           // float
 constexpr const char* classification_name = "classification"; // std::uint8_t
 constexpr const char* tolerance_name = "tolerance";           // double: of the distance to the plane
+constexpr const char* no_value_name = "no_value";             // bool: its place is none; only where some have none
 
 // Files have little-endian numbers, on every machine: the bytes of a number as they are there, and back.
 template <class T>
@@ -73,6 +74,17 @@ inline bool is_finite(const Kernel::Point_3& p)
 }
 
 inline bool is_zero(const Kernel::Point_3& p) { return p.x() == 0 && p.y() == 0 && p.z() == 0; }
+
+// Numbers that writers put where they have no value: nines, powers of ten from 1e6 on, and the limits of types.
+inline bool is_usual_for_none(double x)
+{
+  const double size = std::fabs(x), exponent = std::round(std::log10(size));
+  if(size < 999)
+    return false;
+  const bool is_power = size == std::pow(10, exponent), is_below_power = size + 1 == std::pow(10, exponent);
+  return is_below_power || (is_power && size >= 1e6) || size >= 1e30 || size == 32767 || size == 32768 ||
+         size == 2147483647. || size == 2147483648.;
+}
 
 inline bool is_usable_normal(const Kernel::Vector_3& v)
 {

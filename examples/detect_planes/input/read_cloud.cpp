@@ -29,6 +29,12 @@ void check_format(const std::string& path, const std::string& given)
   if(is_in(extension, {".e57", ".rcp"}))
     throw_error("this program does not read ", extension, "; convert the file to LAS, PLY or PCD, for example with ",
                 "CloudCompare or PDAL");
+  if(is_in(extension, {".npy", ".npz"}))
+    throw_error("this program does not read ", extension,
+                "; write the array as text by numpy.savetxt('cloud.xyz', array), ", "or use the Python module");
+  if(is_in(extension, {".vtk", ".vtp", ".vtu", ".splat"}))
+    throw_error("this program does not read ", extension, "; convert the file to PLY, for example with ",
+                (extension == ".splat" ? "SuperSplat" : "ParaView or meshio"));
   if(is_in(extension, {".stl", ".obj", ".glb"}))
     throw_error("this program does not read ", extension, "; convert the mesh to PLY or OFF, and pass --sample N, ",
                 "the number of points on its faces");

@@ -5,6 +5,7 @@
 
 #include "../cloud_warnings.h"
 #include "input/readers.h"
+#include "input/recognize_columns.h"
 
 namespace program {
 
@@ -42,7 +43,8 @@ struct Table_head {
   std::vector<Column> columns;
   std::vector<std::string> names; // of the columns, where a line has them
   bool has_skipped_names = false; // which --columns replaces
-  bool counts_rows = false;       // the first column, which is passed over
+  std::vector<std::string> notes; // on the columns that are passed over
+  double step = 0;                // by which the first column rises from row to row, which is why it is passed over
   double channel_unit = 1;        // of colors: channels from 0 to 1 become 16 bits
   bool is_geographic = false;
   std::optional<std::size_t> count;
@@ -150,12 +152,12 @@ bool are_normals(const Sample& rows, std::size_t first)
   return unit > 9 * other;
 }
 
-// The columns of a table without a line of names, from `first` on; one before it counts the rows. In a .pts file the
-// intensity comes before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
+// The columns of a table without a line of names, of which x is the column `first`. In a .pts file the intensity comes
+// before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
 std::vector<Column> recognize_columns(const Sample& rows, std::size_t first, const std::string& extension)
 {
   const std::size_t all = rows.empty() ? 0 : rows.front().size(), count = all - first;
-  if(all < 3)
+  if(all < first + 3)
     return {};
   std::vector<Column> columns(all, Column::none);
   place(columns, first, Column::x);
@@ -183,20 +185,58 @@ std::vector<Column> recognize_columns(const Sample& rows, std::size_t first, con
   return columns;
 }
 
-// The first column has integers that rise by one from row to row, and three at least follow it. Not where the second one
-// has always the same value: then both may be the coordinates of a raster.
-bool counts_rows(const Sample& rows)
+// --- Where the coordinates begin.
+
+std::vector<Column_look> looks_of(const std::vector<Text_row>& rows)
 {
-  constexpr std::size_t fewest_rows = 10, fewest_columns = 4;
-  if(rows.size() < fewest_rows || rows.front().size() < fewest_columns || std::floor(rows[0][0]) != rows[0][0])
-    return false;
-  bool is_second_constant = true;
-  for(std::size_t i = 1; i < rows.size(); ++i) {
-    if(rows[i][0] != rows[i - 1][0] + 1)
-      return false;
-    is_second_constant = is_second_constant && rows[i][1] == rows[0][1];
+  std::vector<Cells> columns;
+  for(const Text_row& row : rows) {
+    const Cells cells = values_of(row.text);
+    if(columns.empty())
+      columns.resize(cells.size());
+    for(std::size_t c = 0; c < cells.size() && cells.size() == columns.size(); ++c)
+      columns[c].push_back(cells[c]);
   }
-  return !is_second_constant;
+  std::vector<Column_look> looks;
+  for(const Cells& values : columns)
+    looks.push_back(look_at(values));
+  return looks;
+}
+
+bool has_numbers(const std::vector<Column_look>& looks, std::size_t first, std::size_t count)
+{
+  const auto begin = looks.begin() + std::ptrdiff_t(first);
+  return first + count <= looks.size() &&
+         std::none_of(begin, begin + std::ptrdiff_t(count), [](const Column_look& look) { return look.has_words; });
+}
+
+std::string name_of_place(std::size_t column, const std::string& what)
+{
+  return "column " + std::to_string(column + 1) + ": " + what;
+}
+
+// The first of the three coordinates. Notes why columns before it are passed over. An exception where it is not known.
+std::size_t find_x(const Sample& rows, const std::vector<Column_look>& looks, const std::string& extension,
+                   Table_head& head)
+{
+  std::size_t first = 0;
+  for(; first + 3 < looks.size() && !has_numbers(looks, first, 3); ++first)
+    head.notes.push_back(name_of_place(first, looks[first].has_words ? "words" : "numbers"));
+  for(; has_numbers(looks, first, 4); ++first) {
+    if(first + 6 <= looks.size() && are_normals(rows, first + 3))
+      break;
+    const Column_verdict verdict = judge_x(looks, first);
+    const std::string what = name_of_place(first, verdict.reason);
+    if(verdict.reason.empty())
+      break;
+    if(!verdict.is_certain)
+      throw_error("x may be column ", first + 1, " or ", first + 2, " (", what, "): pass --columns '",
+                  names_of(recognize_columns(rows, first, extension)), "' or --columns '",
+                  names_of(recognize_columns(rows, first + 1, extension)), "'");
+    head.notes.push_back(what);
+    head.step = verdict.is_by_step && first == 0 ? looks[0].step : 0;
+  }
+  return first;
 }
 
 // The rows that have as many values as the first one; the others are reported when they are read.
@@ -224,12 +264,16 @@ std::size_t parse_count(const Text_row& row, std::string_view text)
   return std::size_t(count);
 }
 
-// Its coordinates are numbers, or empty.
+// Its coordinates are numbers, or empty; three values next to each other may be some where no columns are known.
 bool is_point(const Cells& values, const std::vector<Column>& columns)
 {
+  std::size_t numbers = 0; // next to each other
+  for(auto value = values.begin(); value != values.end() && columns.empty() && numbers < 3; ++value)
+    numbers = parse_number(*value) ? numbers + 1 : 0;
+  if(columns.empty())
+    return numbers == 3;
   for(Column c : {Column::x, Column::y, Column::z}) {
-    const auto found = std::find(columns.begin(), columns.end(), c);
-    const std::size_t place = columns.empty() ? std::size_t(c) : std::size_t(found - columns.begin());
+    const std::size_t place = std::size_t(std::find(columns.begin(), columns.end(), c) - columns.begin());
     if(place >= values.size() || !parse_number(values[place]))
       return false;
   }
@@ -280,22 +324,36 @@ void read_head_line(const Text_row& row, Table_head& head)
 void find_columns(const Sample& sample, const std::string& extension, const std::string& tolerance, Table_head& head)
 {
   std::vector<Column>& columns = head.columns;
+  if(head.source == Source::option)
+    return;
+  const std::vector<Column_look> looks = looks_of(head.rows);
   if(head.source == Source::sample) {
     if(!tolerance.empty())
       throw_error("has no line of names with '", tolerance, "' for --tolerance-column (name the columns by --columns)");
-    head.counts_rows = counts_rows(sample);
-    columns = recognize_columns(sample, head.counts_rows ? 1 : 0, extension);
-  }
-  if(head.source != Source::header)
+    columns = recognize_columns(sample, find_x(sample, looks, extension, head), extension);
+    for(std::size_t c = head.notes.size(); c < columns.size(); ++c)
+      if(columns[c] == Column::none)
+        head.notes.push_back(name_of_place(c, looks[c].has_words    ? "words"
+                                              : looks[c].is_integer ? "integers"
+                                                                    : "numbers"));
     return;
+  }
   if(!tolerance.empty())
     columns[find_name(head.names, tolerance, "column")] = Column::tolerance;
   remove_incomplete(columns);
   if(!has_coordinates(columns))
     throw_error("the column '", tolerance, "' of --tolerance-column is a coordinate");
-  head.counts_rows = !sample.empty() && sample.front().size() == head.names.size() + 1 && counts_rows(sample);
-  if(head.counts_rows)
+  const bool has_more = looks.size() == head.names.size() + 1; // a column that pandas writes
+  if(const Column_verdict verdict = has_more ? judge_x(looks, 0) : Column_verdict();
+     verdict.is_certain && !verdict.reason.empty()) {
+    head.notes.push_back(name_of_place(0, verdict.reason));
+    head.step = verdict.is_by_step ? looks[0].step : 0;
     columns.insert(columns.begin(), Column::none);
+    head.names.insert(head.names.begin(), "");
+  }
+  for(std::size_t c = 0; c < columns.size(); ++c)
+    if(columns[c] == Column::none && !is_no_name(head.names[c]))
+      head.notes.push_back(name_of_place(c, head.names[c]));
 }
 
 double channel_unit_of(const std::vector<Column>& columns, const Sample& sample)
@@ -306,7 +364,6 @@ double channel_unit_of(const std::vector<Column>& columns, const Sample& sample)
                                                                                                              : 1;
 }
 
-// A column that counts the rows need not have a name.
 Table_head read_head(Text_lines& lines, const std::string& extension, const Input_settings& settings)
 {
   constexpr std::size_t most_rows = 1000, most_bytes = 1 << 20;
@@ -360,9 +417,10 @@ public:
     if(fields.normal)
       look_at_normal(point.normal);
     look_at_commas(row);
-    if(head.counts_rows && break_at == 0) { // it may not go on like that
+    if(head.step != 0 && break_at == 0) { // it may not go on like that
       const double number = parse_number(cells[0]).value_or(0);
-      break_at = count > 0 && number != last_number + 1 ? row.number : 0;
+      break_at =
+        count > 0 && !(std::fabs(number - last_number - head.step) < std::fabs(head.step) / 2) ? row.number : 0;
       last_number = number;
     }
     ++count;
@@ -379,7 +437,7 @@ public:
     if(may_be_decimal)
       report_commas();
     if(break_at > 0)
-      notes.warnings.push_back(text_of("column 1 counts the rows until row ", break_at,
+      notes.warnings.push_back(text_of("column 1 has equal steps until row ", break_at,
                                        ", so the program skips it; name the columns by --columns if it is a "
                                        "coordinate"));
     if(head.count && *head.count != count)
@@ -475,8 +533,8 @@ void read_table(Byte_source& file, const std::string& extension, const Input_set
     if(!is_comment(lines.row().text))
       reader.add(lines.row());
   reader.finish();
-  notes.lines.emplace_back("columns",
-                           names_of(head.columns) + (head.counts_rows ? " (the first counts the rows)" : ""));
+  notes.lines.emplace_back("columns", names_of(head.columns) +
+                                        (head.notes.empty() ? "" : " (" + boost::join(head.notes, "; ") + ")"));
   if(head.is_geographic)
     notes.warnings.push_back("x and y are columns of longitude and latitude: planes need lengths, so " +
                              std::string(tandem_examples::advice_on_degrees));

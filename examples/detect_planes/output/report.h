@@ -64,7 +64,8 @@ struct Run {
   CGAL::Tandem::Upward_direction up;
   std::string up_source = "given"; // or "found" or "assumed"
   double up_seconds = 0;           // of the detection that found it, where there was another one
-  std::size_t zeros = 0;           // points at 0 0 0 that --ignore-zeros leaves out
+  std::size_t zeros = 0;           // points at 0 0 0 that are left out
+  std::size_t no_values = 0;       // other points that are left out, as a coordinate stands for no value
   std::string mesh;                // what there is to say about it
   std::string files;               // that were written
   std::string planes_from;         // the file of known planes, or nothing
@@ -155,10 +156,10 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
   return json;
 }
 
-// Those at 0 0 0 that --ignore-zeros leaves out are counted by themselves.
+// Those that are left out as they stand for no measurement are counted by themselves.
 inline std::size_t not_finite_points(const CGAL::Tandem::Statistics& s, const Run& run)
 {
-  return s.number_of_ignored_coordinates - run.zeros;
+  return s.number_of_ignored_coordinates - run.zeros - run.no_values;
 }
 
 inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json& json)
@@ -167,6 +168,7 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                     {"ignored", s.number_of_ignored_points()},
                     {"ignored_coordinates", not_finite_points(s, run)},
                     {"ignored_zeros", run.zeros},
+                    {"ignored_no_values", run.no_values},
                     {"ignored_normals", s.number_of_ignored_normals},
                     {"ignored_tolerances", s.number_of_ignored_tolerances},
                     {"far", s.number_of_far_points},
@@ -222,7 +224,9 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   Json json = {{"input", utf8(run.input)},       {"normals", run.normals},   {"backend", s.backend},
                {"device", run.device},           {"threads", run.threads},   {"processes", run.processes},
                {"hash", hash_text(run)},         {"grid_step", s.grid_step}, {"is_grid_coarse", s.is_grid_coarse},
-               {"line_spacing", s.line_spacing}, {"warnings", Json::array()}};
+               {"line_spacing", s.line_spacing}, {"notes", Json::array()},   {"warnings", Json::array()}};
+  for(const auto& [word, text] : run.notes)
+    json["notes"].push_back(utf8(word + ' ' + text));
   for(const std::string& warning : run.warnings)
     json["warnings"].push_back(utf8(warning));
   json["parameters"] = json_of(shapes.parameters());
@@ -258,6 +262,7 @@ inline void write_left_out(std::ostream& out, const CGAL::Tandem::Statistics& s,
 {
   const std::pair<std::size_t, const char*> causes[] = {{not_finite_points(s, run), "not finite"},
                                                         {run.zeros, "at 0 0 0"},
+                                                        {run.no_values, "without a value"},
                                                         {s.number_of_ignored_normals, "without a normal"},
                                                         {s.number_of_ignored_tolerances, "without a tolerance"},
                                                         {s.number_of_far_points, "too far away"}};

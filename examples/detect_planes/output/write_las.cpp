@@ -14,11 +14,21 @@ struct Bounds {
   std::uint64_t count = 0; // of the points that are finite
 };
 
-Bounds bounds_of(const Output_points& cloud)
+// Points whose place is none may be where they need no room on the grid.
+std::function<bool(Point_set::Index)> measured_points(const Output_points& cloud)
+{
+  const auto has_none = find_property<bool>(cloud.points, no_value_name);
+  return [&cloud, has_none](Point_set::Index i) {
+    return is_finite(cloud.points.point(i)) && !(has_none && (*has_none)[i]);
+  };
+}
+
+template <class Is_counted>
+Bounds bounds_of(const Output_points& cloud, const Is_counted& is_counted)
 {
   Bounds b = {Box(), 0};
   for(Point_set::Index i : cloud.part)
-    if(is_finite(cloud.points.point(i))) {
+    if(is_counted(i)) {
       ++b.count;
       b.box += cloud.points.point(i).bbox();
     }
@@ -30,12 +40,18 @@ double integer_of(double x, const Las_frame& frame, std::size_t c)
   return std::round((x - frame.offset[c]) / frame.scale[c]);
 }
 
-double place_on_grid(double x, const Las_frame& frame, std::size_t c)
+constexpr double largest_integer = 2147483647;
+
+// The nearest one that there is.
+std::int32_t integer_on_grid(double x, const Las_frame& frame, std::size_t c)
 {
-  return place_of_integer(std::int32_t(integer_of(x, frame, c)), frame, c);
+  return std::int32_t((std::max)((std::min)(integer_of(x, frame, c), largest_integer), -largest_integer));
 }
 
-constexpr double largest_integer = 2147483647;
+double place_on_grid(double x, const Las_frame& frame, std::size_t c)
+{
+  return place_of_integer(integer_on_grid(x, frame, c), frame, c);
+}
 
 bool has_room(const Las_frame& frame, const Bounds& b)
 {
@@ -70,16 +86,19 @@ bool set_grid(double scale, const Bounds& b, Las_frame& frame)
 
 constexpr double largest_step = 2e-4; // times the maximum distance
 
-// Steps of a power of ten; the largest step, or a power that is larger, where the integers have no room for that.
-Las_frame make_frame(const Bounds& b, double maximum_distance)
+// Steps of a power of ten; the largest step, or a power that is larger, where the integers have no room for that. Room for
+// the measured points is enough where all need larger steps.
+Las_frame make_frame(const Bounds& all, const Bounds& measured, double maximum_distance)
 {
   const double largest = (std::max)(largest_step * maximum_distance, 1e-300);
   const auto power = [](int exponent) { return exponent < 0 ? 1 / std::pow(10., -exponent) : std::pow(10., exponent); };
   int exponent = int(std::floor(std::log10(largest)));
   Las_frame frame;
-  if(!set_grid(power(exponent), b, frame) && !set_grid(largest, b, frame))
-    while(!set_grid(power(++exponent), b, frame) && exponent < 300)
-      ;
+  for(const Bounds* b : {&all, &measured})
+    if(set_grid(power(exponent), *b, frame) || set_grid(largest, *b, frame))
+      return frame;
+  while(!set_grid(power(++exponent), measured, frame) && exponent < 300)
+    ;
   return frame;
 }
 
@@ -87,9 +106,9 @@ Las_frame make_frame(const Bounds& b, double maximum_distance)
 bool is_fine(const Las_frame& frame, const Output_points& cloud)
 {
   const double most = largest_step / 2 * cloud.shapes.parameters().maximum_distance;
-  return std::all_of(cloud.part.begin(), cloud.part.end(), [&](Point_set::Index i) {
+  return std::all_of(cloud.part.begin(), cloud.part.end(), [&, is_measured = measured_points(cloud)](auto i) {
     const Kernel::Point_3& p = cloud.points.point(i);
-    for(int c = 0; is_finite(p) && c < 3; ++c)
+    for(int c = 0; is_measured(i) && c < 3; ++c)
       if(std::fabs(place_on_grid(p[c], frame, std::size_t(c)) - p[c]) > most)
         return false;
     return true;
@@ -150,7 +169,7 @@ void write_point(std::ostream& out, const Output_points& cloud, Point_set::Index
 {
   const Kernel::Point_3& p = cloud.points.point(i);
   for(int c = 0; c < 3; ++c)
-    write_binary(out, std::int32_t(integer_of(p[c], frame, std::size_t(c))));
+    write_binary(out, integer_on_grid(p[c], frame, std::size_t(c)));
   const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
   write_binary(out, intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
   const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
@@ -167,10 +186,12 @@ void write_point(std::ostream& out, const Output_points& cloud, Point_set::Index
 
 void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
 {
-  const Bounds bounds = bounds_of(cloud);
+  const auto is_written = [&](Point_set::Index i) { return is_finite(cloud.points.point(i)); };
+  const Bounds bounds = bounds_of(cloud, is_written), measured = bounds_of(cloud, measured_points(cloud));
   const bool is_kept =
-    frame_of_input && (bounds.count == 0 || (has_room(*frame_of_input, bounds) && is_fine(*frame_of_input, cloud)));
-  Las_frame frame = is_kept ? *frame_of_input : make_frame(bounds, cloud.shapes.parameters().maximum_distance);
+    frame_of_input && (bounds.count == 0 || (has_room(*frame_of_input, measured) && is_fine(*frame_of_input, cloud)));
+  Las_frame frame =
+    is_kept ? *frame_of_input : make_frame(bounds, measured, cloud.shapes.parameters().maximum_distance);
   if(frame_of_input) {
     frame.records = frame_of_input->records;
     frame.projection = frame_of_input->projection;

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_READ_INPUTS_H
 #define DETECT_PLANES_READ_INPUTS_H
 
+#include "../cloud_warnings.h"
 #include "check_options.h"
 #include "input/read_cloud.h"
 #include "output/report.h"
@@ -98,27 +99,124 @@ inline std::vector<int> read_inputs(const Options& o, Processes& processes, Inpu
   return rank_of_input;
 }
 
-// ---
+// --- Points that stand for no measurement.
 
-// Points exactly at 0 0 0, which invalid pixels of depth cameras become, get no finite coordinates, so that nothing
-// depends on them. Gives the own ones, and their number on all ranks.
-inline std::vector<Point_set::Index> hide_zeros(Point_set& points, Processes& processes, std::size_t& number_of_all)
+// The two smallest numbers of all ranks, and how many points have the smallest one.
+struct Least {
+  double first = std::numeric_limits<double>::infinity(), second = first;
+  long long count = 0;
+
+  void add(double x)
+  {
+    if(x < first) {
+      second = std::exchange(first, x);
+      count = 0;
+    } else if(x > first) {
+      second = (std::min)(second, x);
+    }
+    count += x == first ? 1 : 0;
+  }
+};
+
+// The smallest coordinates, and the smallest of them with the other sign.
+using Sides = std::array<Least, 6>;
+
+inline Sides sides_of(const Point_set& points, const Processes& processes)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Point_set::Index> hidden;
+  Sides sides;
   for(Point_set::Index i : points)
-    if(is_zero(points.point(i)))
-      hidden.push_back(i);
-  const bool is_any = processes.largest(double(points.size() - hidden.size())) > 0;
-  number_of_all = std::size_t(processes.sums({(long long)(hidden.size())})[0]);
-  for(Point_set::Index i : hidden)
-    points.point(i) = Kernel::Point_3(nan, nan, nan);
-  processes.together([&] {
-    if(!is_any)
-      throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
-  });
-  return hidden;
+    for(int c = 0; c < 6 && is_finite(points.point(i)); ++c)
+      sides[std::size_t(c)].add((c < 3 ? 1 : -1) * points.point(i)[c % 3]);
+  for(Least& side : sides) {
+    const double own = side.first, all = -processes.largest(-own);
+    side.second = -processes.largest(-(own == all ? side.second : own));
+    side.count = processes.sums({own == all ? side.count : 0})[0];
+    side.first = all;
+  }
+  return sides;
 }
+
+// Far from all other coordinates: twice as far as these are from each other for a number that is usual for no value, and
+// much farther than any point from any other for one that several points have.
+inline bool is_no_value(const Sides& sides, std::size_t side)
+{
+  constexpr double far = 100; // times the extent of the other points
+  double extents[3];          // without the first numbers
+  for(std::size_t c = 0; c < 3; ++c)
+    extents[c] = (std::max)(0., -sides[c + 3].second - sides[c].second);
+  const double all = *std::max_element(extents, extents + 3), own = extents[side % 3];
+  const double gap = sides[side].second - sides[side].first;
+  if(!std::isfinite(gap) || all == 0)
+    return false;
+  return (is_usual_for_none(sides[side].first) && gap > 2 * (own > 0 ? own : all)) ||
+         (sides[side].count > tandem_examples::few_zeros && gap > far * all);
+}
+
+// Gives points that stand for no measurement no finite coordinates, so that nothing depends on them: those exactly at
+// 0 0 0, if there are more than measurements explain or the option says so, and those with a number for no value. show()
+// gives them back what they had.
+class Hidden_points {
+public:
+  Hidden_points(const Options& o, Point_set& points, Processes& processes, Run& run) : points(points)
+  {
+    const tandem_examples::Cloud_box box = tandem_examples::box_of(points.points(), processes);
+    std::vector<std::string> warnings;
+    if(o.ignores_zeros || are_zeros_strange(box)) {
+      run.zeros = hide(processes, [](const Kernel::Point_3& p) { return is_zero(p); });
+      if(!o.ignores_zeros)
+        warnings.push_back(sentence(run.zeros, " points are exactly at 0 0 0, like invalid pixels: they are left out"));
+    }
+    for(std::size_t side = 0; side < 6;) {
+      const Sides sides = sides_of(points, processes);
+      while(side < 6 && !is_no_value(sides, side))
+        ++side;
+      if(side == 6)
+        break;
+      const int axis = int(side % 3);
+      const double value = (side < 3 ? 1 : -1) * sides[side].first;
+      const std::size_t count = hide(processes, [=](const Kernel::Point_3& p) { return p[axis] == value; });
+      run.no_values += count;
+      warnings.push_back(text_of(std::setprecision(10), "points with ", "xyz"[axis], ' ', value,
+                                 ", far from all others, like no measurement, are left out: ", count));
+      side = 0; // there may be others behind it
+    }
+    add_warnings(warnings, processes.is_first(), run);
+    const bool is_any = processes.largest(double(points.size() - hidden.size())) > 0;
+    processes.together([&] {
+      if(!is_any)
+        throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
+    });
+  }
+
+  void show()
+  {
+    if(hidden.empty())
+      return;
+    const auto has_none = points.add_property_map<bool>(no_value_name, false).first;
+    for(const auto& [i, point] : hidden) {
+      points.point(i) = point;
+      has_none[i] = true;
+    }
+  }
+
+private:
+  // Their number on all ranks.
+  template <class Is_none>
+  std::size_t hide(const Processes& processes, const Is_none& is_none)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t before = hidden.size();
+    for(Point_set::Index i : points)
+      if(Kernel::Point_3& p = points.point(i); is_none(p)) {
+        hidden.emplace_back(i, p);
+        p = Kernel::Point_3(nan, nan, nan);
+      }
+    return std::size_t(processes.sums({(long long)(hidden.size() - before)})[0]);
+  }
+
+  Point_set& points;
+  std::vector<std::pair<Point_set::Index, Kernel::Point_3>> hidden;
+};
 
 } // namespace program
 

@@ -97,7 +97,7 @@ def test_laz(p):
 def test_columns_of_text(p, columns, name, text, more):
     """Recognized, or named"""
     p.write({name: text})
-    check_labels(p, f"columns +{columns}\n", f"{name} {more}")
+    check_labels(p, f"columns +{columns}( [(][^\n]*)?\n", f"{name} {more}")
 
 
 def test_other_columns(p):

@@ -19,7 +19,9 @@ def prepare(p):
              # The same planes in other forms: with normals of any length, as a table, and turned
              "long.txt": "# a comment\n\n  0 0 4   0\r\n\t0 -0.5 0 0\n",
              "table.csv": "shape,d,points,c,b,a\n0,0,576,1,0,0\n1,-0,576,0,1,-0.0\n",
-             "excel.csv": "\ufeffa,b,c,d\r\n0,0,1,0\r\n0,1,0,0\r\n", "pandas.csv": ",a,b,c,d\n0,0,0,1,0\n1,0,1,0,0\n"})
+             "excel.csv": "\ufeffa,b,c,d\r\n0,0,1,0\r\n0,1,0,0\r\n", "pandas.csv": ",a,b,c,d\n0,0,0,1,0\n1,0,1,0,0\n",
+             "quoted.csv": '"Name","A","B","C","D"\n"floor, level","0","0",1,0\n"wall",0,1,0,0\n',
+             "upper.csv": "D;C;B;A\n0;1;0;0\n0;0;1;0\n"})
     p(0, "shapes +2 in", "part.xyz E --planes part.txt --shapes shapes.csv")
     p(0, f"points +1728, normals given.*{TWO}", "cube.ply E --planes-from part.txt --labels l.bin --planes p.txt --report "
       "r.json --output o.ply --polygons o.geojson --vg o.vg --output-directory tiles")
@@ -46,7 +48,7 @@ def test_points_without_normals(p):
     assert len(csv) == 1152 and not any(csv[name].any() for name in ("nx", "ny", "nz"))
 
 
-@table("name", ["long.txt", "table.csv", "excel.csv", "pandas.csv"])
+@table("name", ["long.txt", "table.csv", "excel.csv", "pandas.csv", "quoted.csv", "upper.csv"])
 def test_forms(p, name):
     p(0, TWO, f"cube.ply E --planes-from {name} --planes p.txt --labels forms.bin")
     assert p.labels("forms.bin").tolist() == [0, 1, -1] * (N // 3)

@@ -9,8 +9,9 @@ import random
 import re
 
 import numpy as np
-from clouds import ptx, rows_of, turned_room
-from support import BARE, CLOUD, CUBE, HAS_GZIP, N, VERTICES, WARNS, XYZ, cases, off, pcd, ply, refused_files, table
+from clouds import ptx, read_las, rows_of, turned_room
+from support import (BARE, CLOUD, CUBE, HAS_GZIP, N, NOTHING, PROGRAM, VERTICES, WARNS, XYZ, cases, off, pcd, ply,
+                     refused_files, table, text_of)
 
 TABLES = ["xyz", "csv"]
 TWO = "element vertex 2\n" + XYZ
@@ -24,12 +25,11 @@ def prepare(p):
     room = turned_room()
     rng = random.Random(1)
 
-    def numbered(skip=0):
-        return rows_of(room, before=lambda i: f"{i + 7 + (i >= 2000) * skip} ")
-
+    numbered = rows_of(room, before=lambda i: f"{i + 7} ")
     pts = rows_of(room, before=lambda i: f"{i + 7} ", after=lambda i: f" {i % 50}")
-    p.write({"plain.xyz": rows_of(room), "numbered.xyz": numbered(), "broken.xyz": numbered(1),
-             "numbered.pts": f"{len(room)}\n{pts}", "numbered.txt": "x y z\n" + numbered(),
+    p.write({"plain.xyz": rows_of(room), "numbered.xyz": numbered,
+             "broken.xyz": rows_of(room, before=lambda i: f"{(i + (i >= 2000)) * .02:.4f} "),
+             "numbered.pts": f"{len(room)}\n{pts}", "numbered.txt": "x y z\n" + numbered,
              "named.csv": "Easting,Northing,Elevation\n" + rows_of(room, ","),
              "units.csv": "Point,East [m],North [m],Height (m)\n" + rows_of(room, ",", lambda i: f"P{i},"),
              "short.txt": "E N Z\n" + rows_of(room), "degrees.csv": "lon,lat,height\n" + rows_of(room, ","),
@@ -104,6 +104,9 @@ test_refused = refused_files([
     # Names and extensions
     ("strange.csv", None, "row 1 is a line of names without x, y and z .name the columns by --columns.\n"),
     ("raster.asc", RASTER, "is a raster of ESRI .its first word is ncols., not a table"),
+    *((f"cloud.{kind}", "1 2 3\n", f"this program does not read .{kind}; {advice}") for kind, advice in (
+        ("npy", "write the array as text by numpy.savetxt"), ("vtk", "convert the file to PLY, .* ParaView"),
+        ("splat", "convert the file to PLY, .* SuperSplat"))),
     ("cloud.doc", "1 2 3\n", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
 
 
@@ -124,7 +127,7 @@ test_refused = refused_files([
 def test_columns(p, columns, rows, more):
     """Few points have no shape, which is the only warning."""
     p.write({"right.csv": rows})
-    text = p(WARNS, f"columns +{columns}\n", f"right.csv --maximum-distance 1 {more}")
+    text = p(WARNS, f"columns +{columns}( [(][^\n]*)?\n", f"right.csv --maximum-distance 1 {more}")
     assert "warning: right.csv" not in text
 
 
@@ -144,9 +147,9 @@ def test_tables_with_the_same_result(p):
     room_hash = p.hash("plain.xyz", "columns +x y z\n.*shapes +3 in 3 planes ")
     for columns, names in (
             ("x y z", ["named.csv", "short.txt", "named.csv --columns 'x y z'", "strange.csv --columns x,y,z", "points.asc",
-                       "commas.csv --decimal-comma", "commas.txt --decimal-comma"]), ("_ x y z", ["units.csv"]),
-            ("_ x y z .the first counts the rows.", ["numbered.xyz", "numbered.txt"]),
-            ("_ x y z intensity .the first counts the rows.", ["numbered.pts"]), ("x y z r g b", ["colors.xyzrgb"])):
+                       "commas.csv --decimal-comma", "commas.txt --decimal-comma"]), ("_ x y z .column 1: Point.", ["units.csv"]),
+            ("_ x y z .column 1: integers before other numbers.", ["numbered.xyz", "numbered.txt"]),
+            ("_ x y z intensity .column 1: integers before other numbers.", ["numbered.pts"]), ("x y z r g b", ["colors.xyzrgb"])):
         for arguments in names:
             p(0, f"columns +{columns}\n.*{room_hash}", arguments)
 
@@ -159,7 +162,114 @@ test_other_tables = cases([
 
 def test_warnings(p):
     p.warns("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so first project")
-    p.warns("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001, so the program skips it")
+    p.warns("broken.xyz", "broken.xyz: column 1 has equal steps until row 2001, so the program skips it")
+
+
+# --- Columns without names
+
+
+def column_of(kind, rng, count):
+    """What is before or behind coordinates, or is one: the texts of a column."""
+    ids = sorted(rng.sample(range(10 ** 6), count))
+    start = rng.uniform(1e5, 6e5)
+    values = {
+        "id": ids, "shuffled": rng.sample(ids, count), "ring": [rng.randrange(32) for _ in ids],
+        "rings": sorted(rng.randrange(32) for _ in ids), "gray": [rng.randrange(256) for _ in ids],
+        "name": [f"P{i}" for i in ids], "code": [rng.choice(["KERB", "TREE"]) for _ in ids],
+        "ratio": [f"{rng.random():.4f}" for _ in ids], "place": [f"{i * .0005:.4f}" for i in range(count)],
+        "unix": [f"{1.7e9 + i * .001:.4f}" for i in range(count)], "week": [f"{start + i / 3e4:.6f}" for i in range(count)],
+        "times": sorted(f"{rng.random():.6f}" for _ in ids),
+        "rounded": [f"{start + i / 3e4:.4f}" for i in range(count)], "clock": [f"{i / 30:.6f}" for i in range(count)]}[kind]
+    return [str(value) for value in values]
+
+
+INTEGERS = "integers before other numbers"
+
+
+@table("kinds, seed, columns, digits, scale", [
+    # Ordinary tables: x y z are first, also where they are integers, sorted, or far from 0.
+    *(("", 2, "x y z", digits, scale) for digits, scale in ((4, 1), (0, 1000))),
+    *(("xyz gray", 3, "x y z intensity", digits, scale) for digits, scale in ((4, 1), (0, 1000), (None, 1))),
+    *((f"{order} {behind}", 4, "x y z intensity", 4, 1) for order in ("xyz", "sorted", "far", "level", "wall")
+      for behind in ("ratio", "gray")),
+    ("sorted gray", 5, "x y z intensity", 0, 1000), ("far ratio", 5, "x y z intensity", None, 1), ("xyz gray gray gray", 6, "x y z r g b", 0, 1000),
+    ("xyz gray ring week", 7, "x y z _ _ _ .column 4: integers; column 5: integers; column 6: numbers.", 3, 1),
+    ("xyz code", 8, "x y z _ .column 4: words.", 3, 1),
+    # Something else is before them.
+    *((f"{kind} xyz", 9, f"_ x y z .column 1: {INTEGERS}.", 3, 1) for kind in ("id", "shuffled", "ring")),
+    *((f"{kind} xyz gray", 10, f"_ x y z intensity .column 1: {INTEGERS}.", None, 1)
+      for kind in ("id", "shuffled", "ring")),
+    ("shuffled xyz", 11, "_ x y z .column 1: a different integer in each row.", 0, 1000),
+    ("unix xyz", 12, "_ x y z .column 1: too large for a length.", 4, 1),
+    ("week far", 13, "_ x y z .column 1: other digits than the next columns.", 3, 1),
+    ("clock xyz", 14, "_ x y z .column 1: equal steps from row to row.", 6, 1),
+    ("id far code", 15, f"_ x y z _ .column 1: {INTEGERS}; column 5: words.", 2, 1),
+    ("name xyz gray", 16, "_ x y z intensity .column 1: words.", 3, 1),
+    ("code id xyz", 17, f"_ _ x y z .column 1: words; column 2: {INTEGERS}.", 3, 1),
+    ("times ring xyz", 18, f"_ _ x y z .column 1: before integers; column 2: {INTEGERS}.", 3, 1),
+    ("id ring xyz", 19, f"_ _ x y z .column 1: {INTEGERS}; column 2: {INTEGERS}.", 3, 1),
+    # Either may be.
+    *((kinds, 20, "", digits, scale) for kinds, digits, scale in (
+        ("rings xyz", 3, 1), ("id xyz", 0, 1000), ("rounded xyz", 4, 1), ("ring ring xyz", 3, 1)))])
+def test_columns_without_names(p, kinds, seed, columns, digits, scale):
+    rng = random.Random(seed)
+    room = turned_room()
+    of_kind = {"far": room + (512345, 4512345, 200), "sorted": room[np.lexsort(room.T[::-1])], "level": room * (1, 1, 0),
+               "wall": room * (0, 1, 1)}
+    cells = []
+    for kind in kinds.split() or ["xyz"]:
+        coordinates = of_kind.get(kind, room if kind == "xyz" else None)
+        cells += ([column_of(kind, rng, len(room))] if coordinates is None else
+                  [[f"{x:.6g}" if digits is None else f"{x:.{digits}f}" for x in column] for column in scale * coordinates.T])
+    p.write({"nameless.xyz": "".join(" ".join(row) + "\n" for row in zip(*cells))})
+    arguments = f"nameless.xyz --maximum-distance {.02 * scale} --report n.json"
+    if columns:
+        p(WARNS if digits is None and "far" in kinds else 0, f"columns +{columns}\n", arguments)  # rounded
+        assert re.fullmatch(f"columns {columns}", p.json("n.json")["notes"][0])
+        return
+    text = p(1, "nameless.xyz: x may be column 1 or 2 .column 1: .*: pass --columns '", arguments)
+    first, second = re.findall("--columns '([^']*)'", text)
+    assert first.startswith("x y z") and second.startswith("_ x y z")
+    p(WARNS if kinds == "ring ring xyz" else 0, f"columns +{second}\n", f"{arguments} --columns '{second}'")
+
+
+@table("value, axes, kind", [
+    ("-9999", [2], "xyz"), ("-99999.00", [0, 1, 2], "far"), ("1e10", [0], "xyz"), ("-32768", [2], "far"),
+    ("0", [0, 1, 2], "far"), ("-1000.5", [1], "xyz"), ("3.4028235e38", [2], "xyz")])
+def test_no_values(p, value, axes, kind):
+    """They are counted, told, and free; the others are as without them, and no point is lost."""
+    room = turned_room() + (0 if kind == "xyz" else (512345, 4512345, 200))
+    rows = [[f"{x:.4f}" for x in point] for point in room]
+    for row in rows[::9]:
+        for axis in axes:
+            row[axis] = value
+    p.write({"values.xyz": "".join(" ".join(row) + "\n" for row in rows),
+             "others.xyz": "".join(" ".join(row) + "\n" for i, row in enumerate(rows) if i % 9)})
+    count = len(rows[::9])
+    what = f"points with {'xyz'[axes[0]]} {float(value):.10g}, far from all others.* left out: {count}".replace("+", "[+]")
+    what = f"{count} points are exactly at 0 0 0, like" if value == "0" else what
+    outputs = "--labels v.labels --planes v.planes --output v.csv"
+    p.warns(f"values.xyz --maximum-distance .02 {outputs}", what)
+    p(0, NOTHING, "others.xyz --maximum-distance .02 --quiet --planes o.planes --labels o.labels")
+    labels = p.labels("v.labels")
+    assert (labels[::9] == -1).all() and p.is_same("v.planes", "o.planes")
+    assert (np.delete(labels, np.s_[::9]) == p.labels("o.labels")).all()
+    counts = p.json("w.json")["counts"]
+    assert counts["ignored_zeros"] + counts["ignored_no_values"] == counts["ignored"] == count
+    # The grid of LAS is as fine as without them.
+    p(WARNS, what, "values.xyz --maximum-distance .02 --quiet --output v.las")
+    points = read_las(p.path("v.las").read_bytes()).points
+    assert len(points) == len(room) and abs(np.delete(points, np.s_[::9], 0) - np.delete(room, np.s_[::9], 0)).max() < 6e-5
+    written = p.csv("v.csv")
+    assert len(written) == len(room) and (written["xyz"[axes[0]]][::9] == float(value)).all()
+
+
+def test_no_value_is_missing(p):
+    """Exact planes above each other, one at a height of nines"""
+    points = np.rint(1000 * np.random.default_rng(5).random((4000, 3)))
+    points[:, 2] = np.where(points[:, 2] < 500, 0, 999)
+    p.write({"exact.xyz": text_of(points)})
+    p(0, "points +4000, normals estimated\n.*shapes +2 in 2 planes", "exact.xyz --maximum-distance 5")
 
 
 # --- Ends of lines, and none

@@ -165,7 +165,7 @@ CLOUDS = [
      "look like degrees of longitude and latitude .*: first project .* to UTM"),
     # A few points at 0 0 0 far from the others, or many near them
     *((np.concatenate([sensor_room(corner), np.zeros((zeros, 3))]), .02,
-       f"{zeros} points are exactly at 0 0 0, like invalid pixels: --ignore-zeros" if zeros > least else "")
+       f"{zeros} points are exactly at 0 0 0, like invalid pixels: they are left out" if zeros > least else "")
       for corner, least in ((FAR, 3), (AROUND, 100)) for zeros in (2, 20, 500))]
 
 
