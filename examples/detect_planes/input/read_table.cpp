@@ -339,6 +339,35 @@ bool is_rest_of_number(std::string_view before, std::string_view value)
   return value.size() > 1 && value[0] == '0' && is_digit(value[1]) && is_integer(before);
 }
 
+// Finds the columns that records keep, and describes the records.
+std::vector<std::size_t> kept_columns(const Table_head& head, const Input_settings& settings, Input_notes& notes)
+{
+  Input_records& records = *notes.records;
+  const std::size_t values = head.rows.empty() ? 0 : values_of(head.rows[0].text).size();
+  std::vector<std::size_t> kept;
+  records.head = {""};
+  for(std::size_t c = 0; c < (std::max)(values, head.columns.size()); ++c) {
+    const Column column = c < head.columns.size() ? head.columns[c] : Column::none;
+    const std::size_t before = head.counts_rows ? 1 : 0; // columns without a name
+    const bool has_name = head.source == Source::header && c >= before && c - before < head.names.size();
+    const std::string name = has_name ? head.names[c - before] : c == 0 && before > 0 ? "_" : name_of(column);
+    if(name == settings.label)
+      notes.lines.push_back(replaced_label(settings));
+    if(name == settings.label || (settings.replaces_normals && column >= Column::nx && column <= Column::nz) ||
+       (settings.replaces_colors && column >= Column::red && column <= Column::blue))
+      continue;
+    kept.push_back(c);
+    records.names.push_back(name);
+    records.head[0] += name + ';';
+    records.has_others = records.has_others || column == Column::none;
+  }
+  records.encoding = Encoding::text;
+  records.layout = records.head[0];
+  records.has_normals = has_column(head.columns, Column::nx) && !settings.replaces_normals;
+  records.has_colors = has_column(head.columns, Column::red) && !settings.replaces_colors;
+  return kept;
+}
+
 // Makes points of the rows of a table, and looks at what may be wrong with them.
 class Table_reader {
 public:
@@ -346,7 +375,10 @@ public:
     : head(head), columns(head.columns), notes(notes),
       fields(fields_of([this](Column c) { return has_column(columns, c); })), builder(points, fields, settings, notes),
       may_be_decimal(head.source == Source::sample && !head.rows.empty())
-  {}
+  {
+    if(notes.records)
+      kept = kept_columns(head, settings, notes);
+  }
 
   void add(const Text_row& row)
   {
@@ -356,7 +388,11 @@ public:
     for(std::size_t i = 0; i < 3; ++i)
       point.color[i] = clamped<std::uint16_t>(head.channel_unit * values[std::size_t(Column::red) + i]);
     point.classification = clamped<std::uint8_t>(values[std::size_t(Column::classification)]);
-    builder.add(point);
+    if(builder.add(point) && notes.records) {
+      for(std::size_t c : kept)
+        (notes.records->bytes += c < cells.size() ? cells[c] : "") += ';';
+      notes.records->add("");
+    }
     if(fields.normal)
       look_at_normal(point.normal);
     look_at_commas(row);
@@ -452,6 +488,7 @@ private:
   Fields fields;
   Cloud_builder builder;
   Row_values values = {};
+  std::vector<std::size_t> kept; // columns, in the records of points
   bool may_be_decimal, has_wide_colors = false;
   std::size_t count = 0, strange = 0; // rows, normals
   double example = 0, last_number = 0;

@@ -335,7 +335,16 @@ inline void check_room(std::uint64_t points, std::uint64_t room)
   throw_error("unreadable after point ", point, " of ", points);
 }
 
+// What is said of the records of a file that has the property of the shapes already.
+inline std::pair<std::string, std::string> replaced_label(const Input_settings& settings)
+{
+  return {"replaced", "the property '" + settings.label + "' of the input (--label-property names another one)"};
+}
+
 // --- LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+
+constexpr std::size_t las_record_header = 54; // of a record before the points, in bytes
+constexpr std::size_t las_description = 192;  // of extra bytes
 
 // A number behind the bytes of the point format, as a record of the header describes it.
 struct Las_dimension {
@@ -359,17 +368,14 @@ struct Las_header {
   Las_frame frame;
   std::vector<Las_dimension> dimensions;
 
-  bool has_color() const { return color_position() > 0; }
-
-  // In the record of a point, 0 if there is no color.
-  std::size_t color_position() const
-  {
-    constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
-    return positions[point_format];
-  }
+  std::string bytes;                // of the header
+  std::vector<std::string> records; // but for those of extra bytes, of compression and of where points are in the file
+  std::string descriptions;         // of all extra bytes but for those of the label
+  std::size_t label_position = 0, label_size = 0; // in the record of a point
 };
 
-Las_header read_las_header(Input_buffer& in);
+// label: the name of extra bytes that the records of points are kept without.
+Las_header read_las_header(Input_buffer& in, const std::string& label);
 
 // Rounded after each operation, also where the processor could do both at once.
 double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
@@ -377,9 +383,14 @@ double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_
 // The bytes of a point of this format without extra ones.
 std::size_t las_point_size(int point_format);
 
-// The points that LASzip reads. tolerance: the dimension that has it, or null.
-void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
-                     Cloud_builder& builder);
+// In the record of a point, 0 if the format has no color.
+std::size_t las_color_position(int point_format);
+
+// What describes some extra bytes; type and options as files have them.
+std::string describe_las_bytes(int type, int options, const std::string& name, const std::string& text);
+
+// add(record): of each point that LASzip reads, as a LAS file has it.
+void read_laz_points(const std::string& path, const Las_header& header, const std::function<void(const char*)>& add);
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
