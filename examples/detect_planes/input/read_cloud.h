@@ -219,18 +219,18 @@ enum class Encoding { little_endian, big_endian, text };
 
 // The points of a file as they are there: an output of the same format gets them again.
 struct Input_records {
-  std::string format;      // as an extension
-  std::string layout;      // of records that can be in one file
-  bool is_whole = false;   // the file has more than points: no others can be added
-  bool has_others = false; // than those that outputs of all formats have
-  std::vector<std::string>
-    head;           // what stands before the points, in the parts that the writer of the format puts together
-  std::string tail; // what stands behind them
-  std::vector<std::string> names; // of the fields of a point
+  std::string format;                   // as an extension
+  std::string layout;                   // of records that can be in one file
+  bool is_whole = false;                // the file has more than points: those of others cannot be added
+  bool has_others = false;              // than the fields that outputs of all formats have
+  std::vector<std::string> head;        // what stands before the points, in parts, which the writer of the format tells
+  std::string tail;                     // what stands behind them
+  std::optional<std::size_t> waveforms; // of LAS: their place in the tail
+  std::vector<std::string> names;       // of the fields of a point
   bool has_normals = false, has_colors = false;
   Encoding encoding = Encoding::little_endian;
   std::size_t real_size = 4; // of the coordinates, in bytes
-  std::string bytes;         // of all points
+  std::string bytes;         // of all points; of a text values, with a semicolon behind each
   std::vector<std::size_t> ends;
 
   void add(std::string_view record)

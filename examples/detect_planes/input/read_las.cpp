@@ -75,7 +75,7 @@ void read_descriptions(const std::string& record, const std::string& label, Las_
   constexpr std::size_t most = 255;
   for(std::size_t size = 0; position < h.record_length; position += size) {
     size = (std::min)(most, h.record_length - position);
-    h.descriptions += describe_las_bytes(0, int(size), "", "");
+    h.descriptions += describe_las_bytes(0, int(size), "ExtraBytes", "");
   }
 }
 
@@ -97,26 +97,22 @@ std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std
 }
 
 // The records behind the points: of LAS 1.4, or the waveforms of LAS 1.3.
-std::string read_tail(Byte_source& file, const Las_header& h)
+void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
 {
   constexpr std::size_t header_1_3 = 235, record_header = 60;
-  constexpr std::uint16_t internal_waveforms = 2;
-  const char* const bytes = h.bytes.data();
-  std::uint64_t first = 0;
-  std::uint32_t count = 0;
-  if(h.minor_version == 4 && h.bytes.size() >= header_1_4)
-    count = number_at<std::uint32_t>(bytes + 243);
-  if(count > 0) {
-    first = number_at<std::uint64_t>(bytes + 235);
-  } else if(h.minor_version >= 3 && h.bytes.size() >= header_1_3 &&
-            (number_at<std::uint16_t>(bytes + 6) & internal_waveforms) != 0) {
-    first = number_at<std::uint64_t>(bytes + 227);
-    count = 1;
+  const bool has_waveforms = h.minor_version >= 3 && h.bytes.size() >= header_1_3;
+  const std::uint64_t waveforms = has_waveforms ? number_at<std::uint64_t>(h.bytes.data() + 227) : 0;
+  std::uint64_t first = waveforms;
+  std::uint32_t count = 1;
+  if(h.minor_version == 4 && h.bytes.size() >= header_1_4 && number_at<std::uint32_t>(h.bytes.data() + 243) > 0) {
+    first = number_at<std::uint64_t>(h.bytes.data() + 235);
+    count = number_at<std::uint32_t>(h.bytes.data() + 243);
   }
-  std::string tail;
   if(first < h.first_point || first > file.size())
-    return tail;
+    return;
   for(Input_buffer in(file, first); count > 0 && in.left() >= record_header; --count) {
+    if(in.position() == waveforms)
+      records.waveforms = records.tail.size();
     std::string record(record_header, '\0');
     read_exactly(in, record.data(), record_header, "a record behind the LAS points");
     const std::uint64_t length = (std::min)(number_at<std::uint64_t>(record.data() + 20), in.left() + 1);
@@ -124,9 +120,8 @@ std::string read_tail(Byte_source& file, const Las_header& h)
       record.resize(record_header + std::size_t(length));
     read_exactly(in, record.data() + record_header, std::size_t(length), "a record behind the LAS points");
     if(!is_of_this_file(record))
-      tail += record;
+      records.tail += record;
   }
-  return tail;
 }
 
 } // namespace
@@ -263,7 +258,7 @@ void describe_records(const Las_header& h, Input_records& records)
   records.head = {h.bytes, h.descriptions};
   std::memcpy(&records.head[0][105], &ordered, sizeof ordered);
   records.head.insert(records.head.end(), h.records.begin(), h.records.end());
-  records.is_whole = !records.tail.empty() && is_in(h.point_format, std::array<int, 4>{4, 5, 9, 10}); // waveforms
+  records.is_whole = records.waveforms.has_value(); // points have places in them
 }
 
 } // namespace
@@ -298,16 +293,19 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
     const std::uint64_t bytes = in.position() + in.left();
     check_room(h.count, h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0);
     in.skip(h.first_point - in.position());
-    if(settings.classes.empty() && !settings.crop)
+    if(settings.classes.empty() && !settings.crop) {
       points.reserve(std::size_t(h.count));
+      if(notes.records)
+        notes.records->bytes.reserve(std::size_t(h.count) * h.record_length);
+    }
     read_points(in, h, add);
   }
   if(!notes.records)
     return;
-  notes.records->tail = read_tail(file, h);
+  read_tail(file, h, *notes.records);
   describe_records(h, *notes.records);
   if(h.label_size > 0)
-    notes.lines.push_back(replaced_label(settings));
+    keeps_field(settings.label, Column::none, settings, notes);
 }
 
 } // namespace program

@@ -306,29 +306,18 @@ void describe_records(const Input_settings& settings, Used_fields& used, Input_n
 {
   Input_records& records = *notes.records;
   const Pcd_header& h = used.header;
-  const auto place_of = [&](Column c) { return used.places[std::size_t(c)]; };
   std::array<std::string, 4> lines = {"FIELDS", "SIZE", "TYPE", "COUNT"};
   for(std::size_t i = 0; i < h.fields.size(); ++i) {
     const Field& f = h.fields[i];
-    const bool is_normal =
-      is_in(i, std::array<std::size_t, 3>{place_of(Column::nx), place_of(Column::ny), place_of(Column::nz)});
-    if(f.name == settings.label)
-      notes.lines.push_back(replaced_label(settings));
-    if(f.name == settings.label || (settings.replaces_normals && is_normal) ||
-       (settings.replaces_colors && &f == used.color))
+    if(!keeps_field(f.name, &f == used.color ? Column::red : column_at(used.places, i), settings, notes))
       continue;
     used.kept.push_back(&f);
-    records.names.push_back(f.name);
-    records.has_others = records.has_others || (&f != used.color && !is_in(i, used.places));
     lines[0] += ' ' + f.name;
     lines[1] += ' ' + std::to_string(f.size);
     lines[2] += std::string(" ") + f.type;
     lines[3] += ' ' + std::to_string(f.count);
   }
-  records.has_normals = !settings.replaces_normals && place_of(Column::nx) != nowhere &&
-                        place_of(Column::ny) != nowhere && place_of(Column::nz) != nowhere;
-  records.has_colors = !settings.replaces_colors && used.color != nullptr;
-  const Field& x = h.fields[place_of(Column::x)];
+  const Field& x = h.fields[used.places[0]];
   records.real_size = x.type == 'F' ? x.size : 4;
   records.encoding = h.data == "ascii" ? Encoding::text : Encoding::little_endian;
   records.layout = text_of(h.data == "ascii", lines[0], lines[1], lines[2], lines[3]);

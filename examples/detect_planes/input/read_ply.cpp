@@ -410,36 +410,22 @@ Column_places places_of_columns(const Element& points, const std::string& tolera
   return places;
 }
 
-// Those that stay in the records of points; describes the records.
+// The properties that the records of points have.
 std::vector<bool> kept_properties(const Element& points, const Column_places& places, const Input_settings& settings,
                                   Input_notes& notes)
 {
   Input_records& records = *notes.records;
-  const auto has = [&](Column first) {
-    return std::none_of(&places[std::size_t(first)], &places[std::size_t(first)] + 3,
-                        [](auto p) { return p == nowhere; });
-  };
-  records.has_normals = has(Column::nx) && !settings.replaces_normals;
-  records.has_colors = has(Column::red) && !settings.replaces_colors;
   const Type& type = points.properties[places[0]].type;
   records.real_size = type.kind == 'F' ? type.size : 4;
   std::vector<bool> kept;
   std::vector<std::string> lines = points.lines;
   for(std::size_t i = 0; i < points.properties.size(); ++i) {
     const Property& p = points.properties[i];
-    const auto c = Column(std::find(places.begin(), places.end(), i) - places.begin());
-    const bool is_label = p.name == settings.label;
-    if(is_label)
-      notes.lines.push_back(replaced_label(settings));
-    kept.push_back(!is_label && !(settings.replaces_normals && c >= Column::nx && c <= Column::nz) &&
-                   !(settings.replaces_colors && c >= Column::red && c <= Column::blue));
-    if(!kept.back()) {
+    kept.push_back(keeps_field(p.name, column_at(places, i), settings, notes));
+    if(kept.back())
+      records.layout += lines[p.line] + '\n';
+    else
       lines[p.line].clear();
-      continue;
-    }
-    records.names.push_back(p.name);
-    records.layout += lines[p.line] + '\n';
-    records.has_others = records.has_others || c == Column::none;
   }
   records.head = {"", joined_lines(lines), ""};
   return kept;

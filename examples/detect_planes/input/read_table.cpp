@@ -351,20 +351,13 @@ std::vector<std::size_t> kept_columns(const Table_head& head, const Input_settin
     const std::size_t before = head.counts_rows ? 1 : 0; // columns without a name
     const bool has_name = head.source == Source::header && c >= before && c - before < head.names.size();
     const std::string name = has_name ? head.names[c - before] : c == 0 && before > 0 ? "_" : name_of(column);
-    if(name == settings.label)
-      notes.lines.push_back(replaced_label(settings));
-    if(name == settings.label || (settings.replaces_normals && column >= Column::nx && column <= Column::nz) ||
-       (settings.replaces_colors && column >= Column::red && column <= Column::blue))
+    if(!keeps_field(name, column, settings, notes))
       continue;
     kept.push_back(c);
-    records.names.push_back(name);
     records.head[0] += name + ';';
-    records.has_others = records.has_others || column == Column::none;
   }
   records.encoding = Encoding::text;
   records.layout = records.head[0];
-  records.has_normals = has_column(head.columns, Column::nx) && !settings.replaces_normals;
-  records.has_colors = has_column(head.columns, Column::red) && !settings.replaces_colors;
   return kept;
 }
 

@@ -335,10 +335,34 @@ inline void check_room(std::uint64_t points, std::uint64_t room)
   throw_error("unreadable after point ", point, " of ", points);
 }
 
-// What is said of the records of a file that has the property of the shapes already.
-inline std::pair<std::string, std::string> replaced_label(const Input_settings& settings)
+// --- The records of points, for an output of the same format.
+
+// Whether they keep a field, which the output has nothing in place of; describes it if so. column: that it is, or `none`.
+inline bool keeps_field(const std::string& name, Column column, const Input_settings& settings, Input_notes& notes)
 {
-  return {"replaced", "the property '" + settings.label + "' of the input (--label-property names another one)"};
+  const bool is_normal = column >= Column::nx && column <= Column::nz;
+  const bool is_color = column >= Column::red && column <= Column::blue;
+  if(name == settings.label)
+    notes.lines.emplace_back("replaced",
+                             "the property '" + name + "' of the input (--label-property names another one)");
+  if(name == settings.label || (is_normal && settings.replaces_normals) || (is_color && settings.replaces_colors))
+    return false;
+  Input_records& records = *notes.records;
+  records.names.push_back(name);
+  records.has_normals = records.has_normals || is_normal;
+  records.has_colors = records.has_colors || is_color;
+  records.has_others = records.has_others || column == Column::none;
+  return true;
+}
+
+// Of a field by its place; `none` also of those of an incomplete triple.
+inline Column column_at(const Column_places& places, std::size_t place)
+{
+  const auto has = [&](Column c) { return places[std::size_t(c)] != nowhere; };
+  const auto c = Column(std::find(places.begin(), places.end(), place) - places.begin());
+  const Fields fields = fields_of(has);
+  const bool is_incomplete = c < Column::red ? c >= Column::nx && !fields.normal : c <= Column::blue && !fields.color;
+  return is_incomplete ? Column::none : c;
 }
 
 // --- LAS 1.0 to 1.4, as the specification of the ASPRS has it.

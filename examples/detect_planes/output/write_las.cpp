@@ -133,7 +133,6 @@ void put(std::string& bytes, std::size_t place, T value)
 struct Las_file {
   std::string header, descriptions; // of extra bytes
   std::vector<std::string> records;
-  std::string tail;
   int point_format = 0;
   std::size_t record_length = 0; // of a point without the shape
   std::size_t size_of_added_color = 0;
@@ -182,7 +181,6 @@ Las_file file_of_input(const Output_points& cloud)
   file.header = head[0];
   file.descriptions = head[1];
   file.records.assign(head.begin() + 2, head.end());
-  file.tail = cloud.records->tail;
   file.point_format = file.header[104] & 0x3F;
   file.record_length = number_at<std::uint16_t>(head[0].data() + 105);
   if(!cloud.has_shape_colors || las_color_position(file.point_format) > 0)
@@ -263,23 +261,18 @@ void set_header(const Output_points& cloud, const Bounds& bounds, Las_file& file
     put(header, 179 + 16 * c, place_on_grid(bounds.box.max(int(c)), file.frame, c));
     put(header, 187 + 16 * c, place_on_grid(bounds.box.min(int(c)), file.frame, c));
   }
-  set_tail(header, first_point + bounds.count * length, file.tail);
+  set_tail(header, first_point + bounds.count * length, cloud.records);
 }
 
 } // namespace
 
-void set_tail(std::string& header, std::uint64_t first, const std::string& tail)
+void set_tail(std::string& header, std::uint64_t first, const Input_records* records)
 {
-  std::uint64_t waveforms = 0;
   std::uint32_t count = 0;
-  for(std::size_t place = 0; place < tail.size(); ++count) {
-    if(tail.compare(place + 2, 10, std::string("LASF_Spec\0", 10)) == 0 &&
-       number_at<std::uint16_t>(tail.data() + place + 18) == 65535)
-      waveforms = first + place;
-    place += 60 + std::size_t(number_at<std::uint64_t>(tail.data() + place + 20));
-  }
+  for(std::size_t place = 0; records != nullptr && place < records->tail.size(); ++count)
+    place += 60 + std::size_t(number_at<std::uint64_t>(records->tail.data() + place + 20));
   if(header[25] >= 3 && header.size() >= 235)
-    put(header, 227, waveforms);
+    put(header, 227, count > 0 && records->waveforms ? first + *records->waveforms : 0);
   if(header[25] >= 4 && header.size() >= 375) {
     put(header, 235, count > 0 ? first : 0);
     put(header, 243, count);
@@ -294,7 +287,8 @@ void write_las(std::ostream& out, const Output_points& cloud)
   file.frame = frame;
   file.sets_coordinates =
     cloud.records == nullptr || std::any_of(cloud.parts.begin(), cloud.parts.end(), [&](const Input_part& part) {
-      return part.notes.las_frame->scale != frame.scale || part.notes.las_frame->offset != frame.offset;
+      const std::optional<Las_frame>& own = part.notes.las_frame;
+      return own && (own->scale != frame.scale || own->offset != frame.offset);
     });
   constexpr int int32_type = 6;
   file.descriptions += describe_las_bytes(int32_type, 0, cloud.label_property, "shape of detect_planes");
@@ -309,7 +303,8 @@ void write_las(std::ostream& out, const Output_points& cloud)
     if(is_finite(cloud.points.point(i)))
       out << record_of(cloud, i, of_input, file);
   });
-  out << file.tail;
+  if(cloud.records != nullptr)
+    out << cloud.records->tail;
 }
 
 } // namespace program

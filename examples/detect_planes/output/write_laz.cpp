@@ -55,9 +55,10 @@ void write_laz(std::ostream& out, const Output_points& cloud)
   std::ifstream compressed(laz.name(), std::ios::binary);
   std::string header(375, '\0');
   compressed.read(header.data(), std::streamsize(header.size()));
-  const std::string tail = cloud.records != nullptr ? cloud.records->tail : "";
-  set_tail(header, std::filesystem::file_size(laz.name()), tail);
-  out << header << compressed.rdbuf() << tail;
+  set_tail(header, std::filesystem::file_size(laz.name()), cloud.records);
+  out << header << compressed.rdbuf();
+  if(cloud.records != nullptr)
+    out << cloud.records->tail;
 }
 
 } // namespace program

@@ -192,7 +192,7 @@ private:
 void write_las(std::ostream& out, const Output_points& cloud);
 
 // Writes to the header where the records behind the points begin.
-void set_tail(std::string& header, std::uint64_t first, const std::string& tail);
+void set_tail(std::string& header, std::uint64_t first, const Input_records* records);
 
 // The same, compressed by LASzip.
 void write_laz(std::ostream& out, const Output_points& cloud);

@@ -122,7 +122,7 @@ def read_las(data):
     records, place = {}, size
     for _ in range(number):
         user, record, content = struct.unpack_from("<16sHH", data, place + 2)
-        records[user.rstrip(b"\0").decode(), record] = data[place + 54:place + 54 + content]
+        records[user.split(b"\0")[0].decode("latin1"), record] = data[place + 54:place + 54 + content]
         place += 54 + content
     assert place == first, "the records do not end where the points begin"
     assert is_1_4 or old_count == count

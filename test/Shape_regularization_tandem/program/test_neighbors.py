@@ -74,7 +74,8 @@ def test_pdal(p):
 def test_laspy(p):
     laspy = pytest.importorskip("laspy")
     shapes = laspy.read(p.path("shapes.las"))
-    assert (shapes["shape"] == p.labels("labels")).all() and (shapes.intensity == laspy.read(p.path("cloud.las")).intensity).all()
+    assert (shapes["shape"] == p.labels("labels")).all()
+    assert (shapes.intensity == laspy.read(p.path("cloud.las")).intensity).all()
     shapes.add_extra_dim(laspy.ExtraBytesParams("gain", "f8"))
     shapes["gain"] = np.arange(N)
     shapes.write(p.path("laspy.las"))

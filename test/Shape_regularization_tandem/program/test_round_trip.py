@@ -29,6 +29,9 @@ def record(user, number, content, extended=False):
     return struct.pack("<H16sHQ32s" if extended else "<H16sHH32s", 0, user, number, len(content), b"a name") + content
 
 
+WAVEFORMS = record(b"somebody", 65535, bytes(range(99)), True)
+
+
 def any_las(number, version, extra, tail=b""):
     """All bytes but those of the coordinates are random; a double `gain` is described if there are 8 bytes for it."""
     data = las(POINTS, number, version, records=(), extra=extra)
@@ -41,7 +44,9 @@ def any_las(number, version, extra, tail=b""):
     header[90:94] = struct.pack("<HH", 77, 2020)
     struct.pack_into("<II", header, 96, size + len(b"".join(blocks)), len(blocks))
     if tail:
-        struct.pack_into("<QI", header, 235, size + len(b"".join(blocks)) + rows.size, 2)
+        place = size + len(b"".join(blocks)) + rows.size
+        struct.pack_into("<Q", header, 227, place + len(tail) - len(WAVEFORMS))
+        header[235:247] = struct.pack("<QI", place, 2) if version == 4 else header[235:247]
     return bytes(header) + b"".join(blocks) + rows.tobytes() + tail
 
 
@@ -80,19 +85,17 @@ def test_las(p, number, version, extra):
     assert (two.rows[:, -4:] == two.rows[:, -8:-4]).all() and two.rows.shape[1] == RECORD_SIZES[number] + extra + 8
 
 
-WAVEFORMS = record(b"LASF_Spec", 65535, bytes(range(99)), True)
-
-
-@table("number", [1, 7, 10])
-def test_records_behind_the_points(p, number):
-    tail = record(b"LASF_Projection", 2112, b"WKT\0", True) + WAVEFORMS
-    before = any_las(number, 4, 0, tail)
+@table("number, version", [(1, 4), (7, 4), (10, 4), (4, 3)])
+def test_records_behind_the_points(p, number, version):
+    """Of LAS 1.4, or the waveforms of LAS 1.3"""
+    tail = (record(b"LASF_Projection", 2112, b"WKT\0", True) if version == 4 else b"") + WAVEFORMS
+    before = any_las(number, version, 0, tail)
     p.write({"tail.las": before})
     for kind in ["las"] + ["laz"] * HAS_LAZ:
         p(0, NOTHING, f"tail.las E --quiet --output tailed.{kind} --labels labels")
         data = p.path(f"tailed.{kind}").read_bytes()
         waveforms, first, count = struct.unpack_from("<QQI", data, 227)
-        assert (data[first:], count, data[waveforms:]) == (tail, 2, WAVEFORMS)
+        assert data[waveforms:] == WAVEFORMS and (version == 3 or (data[first:], count) == (tail, 2))
     assert check_las(p, "tailed.las", before).tail == tail
     if HAS_LAZ:
         p(0, NOTHING, "tailed.laz E --quiet --output back.las")
@@ -164,7 +167,8 @@ def header(kind, points, first=BEFORE, last=BEHIND):
 
 def ply_of_kind(kind, rows):
     """The header with a list among the properties, the other elements, and each row."""
-    points = property_lines(rows).replace("property int row", "comment of rows\nproperty list uchar ushort more\nproperty int row")
+    points = property_lines(rows).replace("property int row",
+                                          "comment of rows\nproperty list uchar ushort more\nproperty int row")
     lists = [list(range(i % 3)) for i in range(N)]
     place = rows.dtype.names.index("row")
     if kind == "ascii":
@@ -297,13 +301,18 @@ def test_tables(p):
 def test_several_inputs(p):
     """One file has all fields if those of the inputs are the same; its grid is that of the first input if it is fine."""
     first, second = any_las(6, 4, 9), any_las(6, 4, 9)
-    moved = bytearray(las(POINTS + (3, 0, 0), 6, 4, (), offset=1000))
-    p.write({"a.las": first, "b.las": second, "c.las": bytes(moved), "other.las": any_las(3, 2, 0),
-             "a.ply": ply(f"element vertex {N}\n" + properties([*"xyz", "gain"]), text_of(np.column_stack([POINTS, POINTS[:, 0]]))),
-             "b.ply": ply(f"comment b\nelement vertex {N}\n" + properties([*"xyz", "gain"]), text_of(np.column_stack([POINTS + (3, 0, 0), POINTS[:, 1]])))})
+    p.write({"a.las": first, "b.las": second, "other.las": any_las(3, 2, 0),
+             "c.las": las(POINTS, 6, 4, ()), "moved.las": las(POINTS + (3, 0, 0), 6, 4, (), offset=1000),
+             **{f"{name}.ply": ply(f"comment {name}\nelement vertex {N}\n" + properties([*"xyz", "gain"]),
+                                   text_of(np.column_stack([POINTS + (shift, 0, 0), POINTS[:, 0]])))
+                for name, shift in (("a", 0), ("b", 3))}})
     p(0, NOTHING, "a.las b.las E --quiet --output both.las --labels labels")
     both = read_las(p.path("both.las").read_bytes())
     assert (both.rows[:, :-4] == np.concatenate([read_las(first).rows, read_las(second).rows])).all()
+    p(0, NOTHING, "c.las moved.las E --quiet --output grid.las")
+    grid, *parts = (read_las(p.path(f"{name}.las").read_bytes()) for name in ("grid", "c", "moved"))
+    assert (grid.rows[:, 12:-4] == np.concatenate([part.rows[:, 12:] for part in parts])).all()
+    assert (grid.offset == 0).all() and np.allclose(grid.points, np.concatenate([part.points for part in parts]), 0, 1e-9)
     p(0, NOTHING, "a.ply b.ply E --quiet --output both.ply")
     assert "comment b" not in p.read("both.ply") and len(p.lines("both.ply", r"^\d\S* \S+ \S+ \S+ ")) == 2 * N
     for arguments in ("a.las other.las E --output mixed.las", "a.ply a.las E --output mixed.ply"):
