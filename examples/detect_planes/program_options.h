@@ -135,7 +135,8 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
     "the cloud with the shape of each point (-1: none): .ply, .pcd, .xyz, .txt or .csv (text with a line of names), ",
     built.laszip ? ".las or .laz" : ".las",
     " (the shape as extra bytes; only finite points). In the format of the input it keeps all fields of the points, in "
-    "their types, and the rest of the file. In another format it has coordinates, colors, intensity and classification. "
+    "their types, and the rest of the file. In another format it has coordinates, colors, intensity and "
+    "classification. "
     "But for LAS, it has the normals that were used, and tolerances if points have their own. Coordinates of .las keep "
     "the grid of the first .las input if all points fit it, otherwise steps are at most 2e-4 of the maximum distance");
   add(group, "output-directory", text_option(o.output_directory, "DIR"),

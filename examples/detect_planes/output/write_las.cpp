@@ -251,8 +251,9 @@ void set_header(const Output_points& cloud, const Bounds& bounds, Las_file& file
   header[104] = char(file.point_format);
   put(header, 105, std::uint16_t(length));
   std::array<std::uint64_t, 16> of_returns = {};
-  cloud.for_each([&](Point_set::Index, std::string_view record) {
-    ++of_returns[cloud.records == nullptr ? 1 : std::uint8_t(record[14]) & (file.point_format < 6 ? 7 : 15)];
+  cloud.for_each([&](Point_set::Index i, std::string_view record) {
+    if(is_finite(cloud.points.point(i)))
+      ++of_returns[cloud.records == nullptr ? 1 : std::uint8_t(record[14]) & (file.point_format < 6 ? 7 : 15)];
   });
   set_counts(header, bounds.count, of_returns, file.point_format);
   for(std::size_t c = 0; c < 3; ++c) {

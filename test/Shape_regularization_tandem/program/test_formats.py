@@ -108,7 +108,7 @@ def test_other_columns(p):
     p(WARNS, "warning: wrong.csv: the normals .nx ny nz, columns 4 5 6. have lengths far from 1", "wrong.csv E")
     # Points that are not finite stay, and belong to no shape.
     p(0, "points +1730.*ignored: 2 not finite", "nan.xyz E --output nan.las --labels nan.labels")
-    assert len(p.labels("nan.labels")) == 1730
+    assert len(p.labels("nan.labels")) == 1730 and read_las(p.path("nan.las").read_bytes()).returns[0] == 1728
     p(0, "points +1728", "nan.las E")
 
 
