@@ -150,6 +150,15 @@ inline Input_settings input_settings(const Options& o, const Built_with& built =
             "--sample is for meshes (.ply, .off)");
   if(o.sample)
     settings.sample = std::size_t(*o.sample);
+  settings.label = o.label_property;
+  settings.replaces_colors = o.colors == "shape";
+  settings.replaces_normals = o.estimate_normals.has_value();
+  settings.keeps_records = [output = o.output, directory = o.output_directory,
+                            format = settings.format](const auto& path) {
+    const std::string of_input = input_format(path, format);
+    return is_same_format(of_input, output_extension(output)) ||
+           (!directory.empty() && is_same_format(of_input, lower_case_extension(output_of_input(directory, path))));
+  };
   if(!o.classes.empty())
     settings.classes = parse_classes(o.classes);
   if(!o.crop.empty())

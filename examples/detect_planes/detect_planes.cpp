@@ -191,17 +191,18 @@ public:
     const Shapes& shapes = described.shapes;
     if(!(options.polygons.empty() && options.lines.empty()) && described.areas().number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(described.areas()));
+    if(!options.output.empty() && leaves_out_fields())
+      run.warnings.push_back(options.output + ": the points of the inputs do not have the same format and fields; the "
+                                              "output has coordinates, colors, intensity and classification "
+                                              "(--output-directory keeps the fields of each input)");
     for(std::size_t i = 0; i < writers.size(); ++i) {
       check_signals();
       files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
     }
-    for(std::size_t i = 0; i < cloud.parts.size() && !options.output_directory.empty(); ++i) {
+    for(auto part = cloud.parts.begin(); part != cloud.parts.end() && !options.output_directory.empty(); ++part) {
       check_signals();
-      const Input_part& part = cloud.parts[i];
-      files.emplace_back(output_of(part));
-      files.back().write([&](std::ostream& out) {
-        write_points(out, output_of(part), part_of(cloud.points, part.first, part.last), shapes, part.notes.las_frame);
-      });
+      files.emplace_back(output_of(*part));
+      files.back().write([&](std::ostream& out) { write_points(out, output_of(*part), {part, part + 1}, shapes); });
     }
   }
 
@@ -236,10 +237,7 @@ private:
   {
     const Options& o = options;
     open(o.output, [this](std::ostream& out, const Described_shapes& d, const Run&) {
-      const auto has_frame = [](const Input_part& part) { return part.notes.las_frame.has_value(); };
-      const auto part = std::find_if(cloud.parts.begin(), cloud.parts.end(), has_frame);
-      write_points(out, options.output, part_of(cloud.points, 0, cloud.points.size()), d.shapes,
-                   part != cloud.parts.end() ? part->notes.las_frame : std::nullopt);
+      write_points(out, options.output, {cloud.parts.begin(), cloud.parts.end()}, d.shapes);
     });
     open(o.labels, [](std::ostream& out, const Described_shapes& d, const Run&) {
       for(std::int32_t shape : d.shapes.shape_indices())
@@ -279,12 +277,21 @@ private:
     return output_of_input(options.output_directory, options.inputs[part.input]);
   }
 
-  // Those of a part of the cloud.
-  void write_points(std::ostream& out, const std::string& path, const Point_part& part, const Shapes& shapes,
-                    const std::optional<Las_frame>& frame) const
+  void write_points(std::ostream& out, const std::string& path, const Input_parts& parts, const Shapes& shapes) const
   {
     const std::string extension = output_extension(path);
-    write_cloud(out, {cloud.points, part, shapes, extension, options}, extension, frame);
+    write_cloud(out, {cloud.points, parts, shapes, extension, options}, extension);
+  }
+
+  // Whether fields of an input in the format of --output are not in it.
+  bool leaves_out_fields() const
+  {
+    const std::string extension = output_extension(options.output);
+    return common_records({cloud.parts.begin(), cloud.parts.end()}, extension) == nullptr &&
+           std::any_of(cloud.parts.begin(), cloud.parts.end(), [&](const Input_part& part) {
+             const auto& records = part.notes.records;
+             return records && records->has_others && is_same_format(records->format, extension);
+           });
   }
 
   const Options& options;

@@ -82,6 +82,12 @@ inline std::string table_names()
 inline bool is_table(const std::string& extension) { return is_in(extension, table_extensions); }
 inline bool is_las(const std::string& extension) { return is_in(extension, {".las", ".laz"}); }
 
+// Whether files with these extensions can have the same points.
+inline bool is_same_format(const std::string& a, const std::string& b)
+{
+  return a == b || (is_las(a) && is_las(b)) || (is_table(a) && is_table(b));
+}
+
 // Of a cloud that is read.
 inline bool is_input_extension(const std::string& extension)
 {

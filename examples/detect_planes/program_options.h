@@ -133,18 +133,21 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
 {
   add(
     group, "output,o", text_option(o.output, "FILE"),
-    "the cloud with the shape of each point (-1: none), the normals that were used, intensity, classification and "
-    "tolerance: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), ",
+    "the cloud with the shape of each point (-1: none): .ply, .pcd, .xyz, .txt or .csv (text with a line of names), ",
     built.laszip ? ".las or .laz" : ".las",
-    " (the shape as extra bytes, without normals and tolerances; only finite points; coordinates keep the grid of the "
-    "first .las input if all points fit it, otherwise steps are at most 2e-4 of the maximum distance)");
+    " (the shape as extra bytes; only finite points). In the format of the input it keeps all fields of the points, in "
+    "their types, and the rest of the file. In another format it has coordinates, colors, intensity and "
+    "classification. "
+    "But for LAS, it has the normals that were used, and tolerances if points have their own. Coordinates of .las keep "
+    "the grid of the first .las input if all points fit it, otherwise steps are at most 2e-4 of the maximum distance");
   add(group, "output-directory", text_option(o.output_directory, "DIR"),
       "a file like that of --output for each INPUT, with its name and format, in this folder; the program makes the "
       "folder if it is missing. No INPUT may be in it. Formats that --output does not write become .ply",
       built.gzip ? ", without .gz" : "");
   add(group, "colors", text_option(o.colors, "NAME"),
-      "the colors of --output and --output-directory: shape, a color for each, or input (default: input for ",
-      built.laszip ? ".las and .laz" : ".las", ", otherwise shape)");
+      "the colors of --output and --output-directory: shape, a color for each, or input (default); an input without "
+      "colors gets those of the shapes, but in ",
+      built.laszip ? ".las and .laz" : ".las", " none");
   add(group, "label-property", text_option(o.label_property, "NAME"),
       "the name of the property that has the shape in --output and --output-directory: letters, digits and _ (default: "
       "shape)");

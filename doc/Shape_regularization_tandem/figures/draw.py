@@ -76,10 +76,12 @@ def picture(name):
 def render(cloud, name, options):
     """Of the result of detect_planes --output; the options are assignments, see picture.gnuplot."""
     header = cloud.read_bytes().split(b"end_header\n")[0].decode() + "end_header\n"
-    types = re.findall(r"^property (\w+)", header, re.M)
-    layout = "points = {}; bytes = {}; shape = {}; types = '{}'".format(  # the shape is the last column
-        re.search(r"element vertex (\d+)", header)[1], len(header), len(types),
+    types, names = zip(*re.findall(r"^property (\w+) (\w+)", header, re.M))
+    layout = "points = {}; bytes = {}; types = '{}'; ".format(
+        re.search(r"element vertex (\d+)", header)[1], len(header),
         "".join("%int32" if t == "int" else "%" + t for t in types))
+    columns = {"point": "x", "normal": "nx", "red": "red", "green": "green", "blue": "blue", "shape": "shape"}
+    layout += "; ".join(f"{column} = {names.index(name) + 1}" for column, name in columns.items())
     run("gnuplot", "-c", FIGURES / "picture.gnuplot", cloud, picture(name), layout, options)
 
 

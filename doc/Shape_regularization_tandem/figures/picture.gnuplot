@@ -3,7 +3,8 @@
 #
 # Draws the points of a PLY file in the colors of their shapes; called by draw.py.
 # The projection is parallel, near points hide far ones, and the normals shade them. Arguments: the file, the picture,
-# the layout of the file (number of points, bytes of the header, column of the shape, types of the columns), and options as
+# the layout of the file (number of points, bytes of the header, types of the columns, the first column of point and normal,
+# those of the color and of the shape), and options as
 # assignments: where the viewer stands (azimuth 0: in the direction of x, 90: of y), how high (elevation), pixels of one
 # view (width, height), whether only the shapes are drawn (alone), not the cloud in grey beside them, whether only the
 # sides of shapes are drawn that a sensor at the origin sees (inside), to look into rooms, and the size of points (0: by
@@ -20,9 +21,8 @@ picture_x(c) = cos(azimuth) * column(c + 1) - sin(azimuth) * column(c)
 picture_y(c) = cos(elevation) * column(c + 2) - sin(elevation) * away(c)
 nearness(c) = cos(elevation) * away(c) + sin(elevation) * column(c + 2)
 
-# Columns of the file. Light comes from the upper left, in steps: few colors make small files.
-point = 1; normal = 4; red = 7; green = 8; blue = 9
-behind(c) = column(c) * column(1) + column(c + 1) * column(2) + column(c + 2) * column(3) > 0
+# Light comes from the upper left, in steps: few colors make small files.
+behind(c) = column(c) * column(point) + column(c + 1) * column(point + 1) + column(c + 2) * column(point + 2) > 0
 is_drawn(c) = !inside || column(shape) < 0 || behind(c) != (nearness(c) > 0)
 cosine(c) = abs(0.68 * nearness(c) + 0.60 * picture_y(c) - 0.42 * picture_x(c))
 light(c) = 0.6 + 0.05 * floor(8 * cosine(c) + 0.5)

@@ -73,6 +73,10 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
 {
   const std::unique_ptr<Byte_source> file = open_bytes(path);
   const std::string extension = input_format(path, settings.format);
+  if(settings.keeps_records && settings.keeps_records(path)) {
+    notes.records = std::make_shared<Input_records>();
+    notes.records->format = extension;
+  }
   if(is_las(extension))
     return read_las(*file, path, settings, points, notes);
   if(is_table(extension))

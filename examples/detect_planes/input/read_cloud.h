@@ -17,8 +17,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -187,6 +189,10 @@ struct Input_settings {
   std::string format;          // the extension that tells the format; empty: that of each file
   bool has_decimal_commas = false;   // numbers of text tables
   std::optional<std::size_t> sample; // points to put on the faces of a mesh; 0: their corners
+  // Whether an output has the format of this input, and so gets its records.
+  std::function<bool(const std::string& path)> keeps_records;
+  std::string label;                                      // of the shape: the records of points are kept without it,
+  bool replaces_normals = false, replaces_colors = false; // and without what else the output has in its place
 };
 
 // `what` ends in the word that has no attributes but those of its format, as "is OFF, whose points".
@@ -208,6 +214,38 @@ struct Las_frame {
   Projection projection = Projection::none;
 };
 
+// How the numbers of a record are written.
+enum class Encoding { little_endian, big_endian, text };
+
+// The points of a file as they are there: an output of the same format gets them again.
+struct Input_records {
+  std::string format;                   // as an extension
+  std::string layout;                   // of records that can be in one file
+  bool is_whole = false;                // the file has more than points: those of others cannot be added
+  bool has_others = false;              // than the fields that outputs of all formats have
+  std::vector<std::string> head;        // what stands before the points, in parts, which the writer of the format tells
+  std::string tail;                     // what stands behind them
+  std::optional<std::size_t> waveforms; // of LAS: their place in the tail
+  std::vector<std::string> names;       // of the fields of a point
+  bool has_normals = false, has_colors = false;
+  Encoding encoding = Encoding::little_endian;
+  std::size_t real_size = 4; // of the coordinates, in bytes
+  std::string bytes;         // of all points; of a text values, with a semicolon behind each
+  std::vector<std::size_t> ends;
+
+  void add(std::string_view record)
+  {
+    bytes += record;
+    ends.push_back(bytes.size());
+  }
+
+  std::string_view operator[](std::size_t i) const
+  {
+    const std::size_t first = i == 0 ? 0 : ends[i - 1];
+    return std::string_view(bytes).substr(first, ends[i] - first);
+  }
+};
+
 // Where the points of a file were seen from.
 struct Viewpoint {
   std::array<double, 3> place;
@@ -218,9 +256,10 @@ struct Viewpoint {
 struct Input_notes {
   std::vector<std::pair<std::string, std::string>> lines; // a word, and what there is to say about it
   std::vector<std::string> warnings;
-  std::optional<Las_frame> las_frame; // of the first LAS file
-  std::optional<Viewpoint> viewpoint; // of a PCD file
-  Box box;                            // of all points, where some are cropped
+  std::optional<Las_frame> las_frame;     // of a LAS file
+  std::shared_ptr<Input_records> records; // if they are kept
+  std::optional<Viewpoint> viewpoint;     // of a PCD file
+  Box box;                                // of all points, where some are cropped
 };
 
 // ---

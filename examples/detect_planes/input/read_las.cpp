@@ -9,7 +9,7 @@ namespace program {
 
 namespace {
 
-constexpr std::size_t smallest_header = 227, header_1_4 = 375, record_header = 54;
+constexpr std::size_t smallest_header = 227, header_1_4 = 375;
 
 void read_exactly(Input_buffer& in, char* bytes, std::size_t count, const char* what)
 {
@@ -17,69 +17,111 @@ void read_exactly(Input_buffer& in, char* bytes, std::size_t count, const char* 
     throw_error("is truncated: ", what, " is not complete");
 }
 
+// Of a record before or behind the points.
+bool is_of(const std::string& record, const std::string& user)
+{
+  return record.compare(2, user.size() + 1, user.c_str(), user.size() + 1) == 0;
+}
+
+std::uint16_t id_of(const std::string& record) { return number_at<std::uint16_t>(record.data() + 18); }
+
+// Whether a record describes the extra bytes of the points.
+bool describes_bytes(const std::string& record) { return is_of(record, "LASF_Spec") && id_of(record) == 4; }
+
+// Of compression, or of where points are in the file: it is wrong in another file.
+bool is_of_this_file(const std::string& record)
+{
+  return is_of(record, "laszip encoded") || is_of(record, "copc") || (is_of(record, "LAStools") && id_of(record) == 30);
+}
+
 // What the records hold. If that is both, the flag of the header says which to use.
 Projection projection_of(const std::vector<std::string>& records, bool is_declared_wkt)
 {
-  bool has_wkt = false, has_geotiff_keys = false;
-  for(const std::string& record : records) {
-    const std::uint16_t id = number_at<std::uint16_t>(record.data() + 18);
-    has_wkt = has_wkt || id == 2112;
-    has_geotiff_keys = has_geotiff_keys || id == 34735;
-  }
+  const auto has = [&](std::uint16_t id) {
+    return std::any_of(records.begin(), records.end(), [=](const auto& record) { return id_of(record) == id; });
+  };
+  const bool has_wkt = has(2112), has_geotiff_keys = has(34735);
   return has_wkt && (is_declared_wkt || !has_geotiff_keys) ? Projection::wkt
          : has_geotiff_keys                                ? Projection::geotiff
                                                            : Projection::none;
 }
 
-// Whether a record of the header describes the extra bytes of the points.
-bool describes_bytes(const std::string& record)
-{
-  return record.compare(2, 10, std::string("LASF_Spec\0", 10)) == 0 &&
-         number_at<std::uint16_t>(record.data() + 18) == 4;
-}
-
 // The extra bytes of points, as far as the record describes them. The types are integers of 1, 2, 4 and 8 bytes, each
 // without and with a sign, float and double; in older files two and three numbers of these, too. Bytes of no type are as
 // many as the options say.
-std::vector<Las_dimension> dimensions_of(const std::string& record, const Las_header& h)
+void read_descriptions(const std::string& record, const std::string& label, Las_header& h)
 {
-  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16, sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  std::vector<Las_dimension> dimensions;
+  constexpr std::size_t scale_bit = 8, offset_bit = 16, sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   std::size_t position = las_point_size(h.point_format);
-  for(std::size_t first = record_header; first + description <= record.size(); first += description) {
+  for(std::size_t first = las_record_header; first + las_description <= record.size(); first += las_description) {
     const char* const d = record.data() + first;
     const std::size_t type = std::uint8_t(d[2]), options = std::uint8_t(d[3]);
     const std::size_t size = type == 0 ? options : (type - 1) / 10 * sizes[(type - 1) % 10] + sizes[(type - 1) % 10];
     if(type > 30 || size == 0 || position + size > h.record_length)
       break;
+    const std::string name(d + 4, std::find(d + 4, d + 36, '\0'));
     if(type >= 1 && type <= 10)
-      dimensions.push_back({std::string(d + 4, std::find(d + 4, d + 36, '\0')), "UIUIUIUIFF"[type - 1], size, position,
-                            (options & scale_bit) != 0 ? number_at<double>(d + 112) : 1,
-                            (options & offset_bit) != 0 ? number_at<double>(d + 136) : 0});
+      h.dimensions.push_back({name, "UIUIUIUIFF"[type - 1], size, position,
+                              (options & scale_bit) != 0 ? number_at<double>(d + 112) : 1,
+                              (options & offset_bit) != 0 ? number_at<double>(d + 136) : 0});
+    if(name == label) {
+      h.label_position = position;
+      h.label_size = size;
+    } else {
+      h.descriptions.append(d, las_description);
+    }
     position += size;
   }
-  return dimensions;
+  constexpr std::size_t most = 255;
+  for(std::size_t size = 0; position < h.record_length; position += size) {
+    size = (std::min)(most, h.record_length - position);
+    h.descriptions += describe_las_bytes(0, int(size), "ExtraBytes", "");
+  }
 }
 
-// The records that tell the coordinate system, and the one of extra bytes. What comes after a damaged one is left out.
+// What comes after a damaged one is left out.
 std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std::uint64_t end)
 {
   std::vector<std::string> records;
-  for(; count > 0 && in.position() + record_header <= end; --count) {
-    std::string record(record_header, '\0');
-    read_exactly(in, record.data(), record_header, "a record of the LAS header");
+  for(; count > 0 && in.position() + las_record_header <= end; --count) {
+    std::string record(las_record_header, '\0');
+    read_exactly(in, record.data(), record.size(), "a record of the LAS header");
     const std::uint16_t length = number_at<std::uint16_t>(record.data() + 20);
     if(length > end - in.position())
       break;
-    if(record.compare(2, 15, "LASF_Projection") != 0 && !describes_bytes(record)) {
-      in.skip(length);
-      continue;
-    }
-    record.resize(record_header + length);
-    read_exactly(in, record.data() + record_header, length, "a record of the LAS header");
+    record.resize(las_record_header + length);
+    read_exactly(in, record.data() + las_record_header, length, "a record of the LAS header");
     records.push_back(record);
   }
   return records;
+}
+
+// The records behind the points: of LAS 1.4, or the waveforms of LAS 1.3.
+void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
+{
+  constexpr std::size_t header_1_3 = 235, record_header = 60;
+  const bool has_waveforms = h.minor_version >= 3 && h.bytes.size() >= header_1_3;
+  const std::uint64_t waveforms = has_waveforms ? number_at<std::uint64_t>(h.bytes.data() + 227) : 0;
+  std::uint64_t first = waveforms;
+  std::uint32_t count = 1;
+  if(h.minor_version == 4 && h.bytes.size() >= header_1_4 && number_at<std::uint32_t>(h.bytes.data() + 243) > 0) {
+    first = number_at<std::uint64_t>(h.bytes.data() + 235);
+    count = number_at<std::uint32_t>(h.bytes.data() + 243);
+  }
+  if(first < h.first_point || first > file.size())
+    return;
+  for(Input_buffer in(file, first); count > 0 && in.left() >= record_header; --count) {
+    if(in.position() == waveforms)
+      records.waveforms = records.tail.size();
+    std::string record(record_header, '\0');
+    read_exactly(in, record.data(), record_header, "a record behind the LAS points");
+    const std::uint64_t length = (std::min)(number_at<std::uint64_t>(record.data() + 20), in.left() + 1);
+    if(length <= in.left())
+      record.resize(record_header + std::size_t(length));
+    read_exactly(in, record.data() + record_header, std::size_t(length), "a record behind the LAS points");
+    if(!is_of_this_file(record))
+      records.tail += record;
+  }
 }
 
 } // namespace
@@ -88,6 +130,22 @@ std::size_t las_point_size(int point_format)
 {
   constexpr std::size_t sizes[11] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
   return sizes[point_format];
+}
+
+std::size_t las_color_position(int point_format)
+{
+  constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
+  return positions[point_format];
+}
+
+std::string describe_las_bytes(int type, int options, const std::string& name, const std::string& text)
+{
+  std::string description(las_description, '\0');
+  description[2] = char(type);
+  description[3] = char(options);
+  description.replace(4, name.size(), name);
+  description.replace(160, text.size(), text);
+  return description;
 }
 
 double value_of(const char* bytes, const Las_dimension& d)
@@ -101,7 +159,7 @@ double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_
   return scaled + frame.offset[axis];
 }
 
-Las_header read_las_header(Input_buffer& in)
+Las_header read_las_header(Input_buffer& in, const std::string& label)
 {
   char bytes[header_1_4] = {};
   if(in.left() < 4 || in.sgetn(bytes, 4) != 4 || std::memcmp(bytes, "LASF", 4) != 0)
@@ -137,13 +195,20 @@ Las_header read_las_header(Input_buffer& in)
   }
   if(h.first_point < header_size)
     throw std::runtime_error("the points of the LAS file begin in its header");
-  in.skip((std::min)(in.left(), header_size - in.position()));
+  h.bytes.assign(bytes, std::size_t(in.position()));
+  h.bytes.resize(header_size);
+  read_exactly(in, &h.bytes[std::size_t(in.position())], header_size - std::size_t(in.position()), "the LAS header");
+  std::string descriptions;
   for(std::string& record :
-      read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left())))
+      read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()))) {
+    if(is_of(record, "LASF_Projection"))
+      h.frame.records.push_back(record);
     if(describes_bytes(record))
-      h.dimensions = dimensions_of(record, h);
-    else
-      h.frame.records.push_back(std::move(record));
+      descriptions = std::move(record);
+    else if(!is_of_this_file(record))
+      h.records.push_back(std::move(record));
+  }
+  read_descriptions(descriptions, label, h);
   constexpr std::uint16_t wkt_bit = 16;
   h.frame.projection = projection_of(h.frame.records, (number_at<std::uint16_t>(bytes + 6) & wkt_bit) != 0);
   return h;
@@ -159,7 +224,7 @@ Point_row point_of_record(const char* record, const Las_header& h)
   row.intensity = float(number_at<std::uint16_t>(record + 12));
   // The older formats have flags in the other three bits.
   row.classification = h.point_format < 6 ? std::uint8_t(record[15] & 31) : std::uint8_t(record[16]);
-  if(const std::size_t position = h.color_position())
+  if(const std::size_t position = las_color_position(h.point_format))
     for(std::size_t i = 0; i < 3; ++i)
       row.color[i] = number_at<std::uint16_t>(record + position + 2 * i);
   return row;
@@ -174,17 +239,26 @@ const Las_dimension* tolerance_of(const Las_header& h, const std::string& wanted
   return wanted.empty() ? nullptr : &h.dimensions[find_name(names, wanted, "extra dimension")];
 }
 
-void read_records(Input_buffer& in, const Las_header& h, const Las_dimension* tolerance, Cloud_builder& builder)
+void read_points(Input_buffer& in, const Las_header& h, const std::function<void(const char*)>& add)
 {
   std::vector<char> record(h.record_length);
   for(std::uint64_t i = 0; i < h.count; ++i) {
     if(in.sgetn(record.data(), h.record_length) != h.record_length)
       fail_after(i, h.count);
-    Point_row row = point_of_record(record.data(), h);
-    if(tolerance != nullptr)
-      row.tolerance = value_of(record.data() + tolerance->position, *tolerance);
-    builder.add(row);
+    add(record.data());
   }
+}
+
+// The parts of the head are the header, the descriptions of the extra bytes, and the records.
+void describe_records(const Las_header& h, Input_records& records)
+{
+  records.has_others = true;
+  const auto length = std::uint16_t(h.record_length - h.label_size), ordered = little_endian(length);
+  records.layout = text_of(h.minor_version, ' ', h.point_format, ' ', length, h.descriptions);
+  records.head = {h.bytes, h.descriptions};
+  std::memcpy(&records.head[0][105], &ordered, sizeof ordered);
+  records.head.insert(records.head.end(), h.records.begin(), h.records.end());
+  records.is_whole = records.waveforms.has_value(); // points have places in them
 }
 
 } // namespace
@@ -193,24 +267,45 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
               Input_notes& notes)
 {
   Input_buffer in(file);
-  const Las_header h = read_las_header(in);
-  if(!notes.las_frame)
-    notes.las_frame = h.frame;
+  const Las_header h = read_las_header(in, settings.label);
+  notes.las_frame = h.frame;
   const Las_dimension* const tolerance = tolerance_of(h, settings.tolerance);
-  Cloud_builder builder(points, {false, h.has_color(), true, true, tolerance != nullptr}, settings, notes);
+  const bool has_color = las_color_position(h.point_format) > 0;
+  Cloud_builder builder(points, {false, has_color, true, true, tolerance != nullptr}, settings, notes);
+  const auto add = [&](const char* record) {
+    Point_row row = point_of_record(record, h);
+    if(tolerance != nullptr)
+      row.tolerance = value_of(record + tolerance->position, *tolerance);
+    if(!builder.add(row) || !notes.records)
+      return;
+    const std::size_t rest = h.label_position + h.label_size;
+    notes.records->bytes.append(record, h.label_position);
+    notes.records->add({record + rest, h.record_length - rest});
+  };
   if(h.is_compressed) {
     if(is_gzip(path))
       throw std::runtime_error("is LAZ within gzip; decompress it with gunzip");
     if constexpr(has_laszip)
-      return read_laz_points(path, h, tolerance, builder);
-    throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
+      read_laz_points(path, h, add);
+    else
+      throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
+  } else {
+    const std::uint64_t bytes = in.position() + in.left();
+    check_room(h.count, h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0);
+    in.skip(h.first_point - in.position());
+    if(settings.classes.empty() && !settings.crop) {
+      points.reserve(std::size_t(h.count));
+      if(notes.records)
+        notes.records->bytes.reserve(std::size_t(h.count) * h.record_length);
+    }
+    read_points(in, h, add);
   }
-  const std::uint64_t bytes = in.position() + in.left();
-  check_room(h.count, h.first_point < bytes ? (bytes - h.first_point) / h.record_length : 0);
-  in.skip(h.first_point - in.position());
-  if(settings.classes.empty() && !settings.crop)
-    points.reserve(std::size_t(h.count));
-  read_records(in, h, tolerance, builder);
+  if(!notes.records)
+    return;
+  read_tail(file, h, *notes.records);
+  describe_records(h, *notes.records);
+  if(h.label_size > 0)
+    keeps_field(settings.label, Column::none, settings, notes);
 }
 
 } // namespace program

@@ -4,51 +4,57 @@
 #include "input/Laszip.h"
 #include "input/readers.h"
 
+#include <ostream>
+
 namespace program {
 
 namespace {
 
-// The extra bytes begin behind those of the point format.
-double tolerance_of(const laszip_point& p, const Las_header& header, const Las_dimension& tolerance)
-{
-  const std::size_t position = tolerance.position - las_point_size(header.point_format);
-  if(p.num_extra_bytes < 0 || position + tolerance.size > std::size_t(p.num_extra_bytes))
-    throw std::runtime_error("has fewer extra bytes than its header says");
-  return value_of(reinterpret_cast<const char*>(p.extra_bytes) + position, tolerance);
-}
+// Of a stream that writes one point after the other to the same place.
+class Record_buffer : public std::streambuf {
+public:
+  explicit Record_buffer(std::size_t size) : record(size) {}
 
-Point_row row_of(const laszip_point& p, const Las_header& header)
-{
-  Point_row row;
-  const std::int32_t integers[3] = {p.X, p.Y, p.Z};
-  for(std::size_t i = 0; i < 3; ++i) {
-    row.point[i] = place_of_integer(integers[i], header.frame, i);
-    row.color[i] = p.rgb[i];
-  }
-  row.intensity = float(p.intensity);
-  row.classification = header.point_format < 6 ? std::uint8_t(p.classification) : p.extended_classification;
-  return row;
-}
+  void begin() { setp(record.data(), record.data() + record.size()); }
+  bool is_full() const { return pptr() == epptr(); }
+  const char* bytes() const { return record.data(); }
+
+private:
+  std::vector<char> record;
+};
 
 } // namespace
 
-void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
-                     Cloud_builder& builder)
+// A writer of points without compression knows how LAS files have them.
+void read_laz_points(const std::string& path, const Las_header& header, const std::function<void(const char*)>& add)
 {
-  Laszip reader;
+  const Laszip reader, writer;
   laszip_BOOL is_compressed = 0;
+  laszip_header* header_of_file = nullptr;
   laszip_point* point = nullptr;
-  reader.check(laszip_open_reader(reader.pointer, path.c_str(), &is_compressed), "cannot be opened by LASzip");
-  reader.check(laszip_get_point_pointer(reader.pointer, &point), "cannot be opened by LASzip");
+  const auto check = [](const Laszip& used, laszip_I32 has_failed, const char* what = "cannot be opened by LASzip") {
+    used.check(has_failed, what);
+  };
+  check(reader, laszip_open_reader(reader.pointer, path.c_str(), &is_compressed));
+  check(reader, laszip_get_header_pointer(reader.pointer, &header_of_file));
+  check(reader, laszip_get_point_pointer(reader.pointer, &point));
+  Record_buffer buffer(header.record_length);
+  std::ostream stream(&buffer);
+  check(writer, laszip_set_header(writer.pointer, header_of_file));
+  check(writer, laszip_open_writer_stream(writer.pointer, stream, 0, 1));
   for(std::uint64_t i = 0; i < header.count; ++i) {
     if(i % 4096 == 0)
       check_signals();
-    reader.check(laszip_read_point(reader.pointer), "cannot be read completely by LASzip");
-    Point_row row = row_of(*point, header);
-    if(tolerance != nullptr)
-      row.tolerance = tolerance_of(*point, header, *tolerance);
-    builder.add(row);
+    buffer.begin();
+    constexpr const char* failed = "cannot be read completely by LASzip";
+    check(reader, laszip_read_point(reader.pointer), failed);
+    check(writer, laszip_set_point(writer.pointer, point), failed);
+    check(writer, laszip_write_point(writer.pointer), failed);
+    if(!buffer.is_full())
+      throw std::runtime_error("has points of another size than its header says");
+    add(buffer.bytes());
   }
+  laszip_close_writer(writer.pointer);
   laszip_close_reader(reader.pointer);
 }
 

@@ -59,6 +59,7 @@ struct Pcd_header {
   std::uint64_t points = 0;
   std::string data;                   // ascii, binary or binary_compressed
   std::vector<std::string> viewpoint; // the words of that line; none without one
+  std::string before, shape;          // the comments and the version; width and height
 
   // The first of that name, if it has one value.
   std::size_t find(const std::string& name) const
@@ -133,6 +134,7 @@ Pcd_header join(Lines& lines)
   header.points = number_of_line(lines, "POINTS", width * height);
   if(header.points != width * height)
     throw_error("the PCD header has ", header.points, " POINTS, but WIDTH times HEIGHT is ", width * height);
+  header.shape = text_of("WIDTH ", width, "\nHEIGHT ", height, '\n');
   header.data = lines["DATA"].empty() ? "" : lines["DATA"][0];
   if(!is_in(header.data, {"ascii", "binary", "binary_compressed"}))
     throw_error("unknown DATA '", header.data, "' of PCD");
@@ -143,9 +145,12 @@ Pcd_header join(Lines& lines)
 Pcd_header read_pcd_header(Text_lines& text)
 {
   Lines lines;
+  std::string before;
   while(text.next()) {
     std::istringstream line(text.row().text);
     std::vector<std::string> words(std::istream_iterator<std::string>(line), {});
+    if(!words.empty() && (words[0][0] == '#' || words[0] == "VERSION"))
+      before += text.row().text + '\n';
     if(words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -153,8 +158,11 @@ Pcd_header read_pcd_header(Text_lines& text)
       throw_error("the PCD header has the unknown line '", key.substr(0, 40), "'");
     words.erase(words.begin());
     lines[key] = words;
-    if(key == "DATA")
-      return join(lines);
+    if(key == "DATA") {
+      Pcd_header header = join(lines);
+      header.before = before;
+      return header;
+    }
   }
   throw std::runtime_error("is not a PCD file, or its header has no end (a line DATA)");
 }
@@ -167,7 +175,8 @@ using Field = Pcd_header::Field;
 struct Used_fields {
   const Pcd_header& header;
   Column_places places;
-  const Field* color; // or null
+  const Field* color;                  // or null
+  std::vector<const Field*> kept = {}; // in the records of points
 };
 
 Used_fields used_fields(const Pcd_header& h, const std::string& tolerance)
@@ -198,23 +207,30 @@ Point_row make_row(const Used_fields& used, Value value, Bits bits)
   return row;
 }
 
-// `start_of(field)` are its bytes.
+// Adds a point; start_of(field): its bytes.
 template <class Start_of>
-Point_row row_of_bytes(const Used_fields& used, Start_of start_of)
+void add_bytes(const Used_fields& used, Start_of start_of, Cloud_builder& builder, Input_records* records)
 {
-  return make_row(
+  const Point_row row = make_row(
     used, [&](const Field& f) { return number_of_type(start_of(f), f.type, f.size); },
     [&](const Field& f) { return number_at<std::uint32_t>(start_of(f)); });
+  if(!builder.add(row) || records == nullptr)
+    return;
+  for(const Field* f : used.kept)
+    records->bytes.append(start_of(*f), f->size * f->count);
+  records->add("");
 }
 
-void read_binary(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
+void read_binary(Input_buffer& in, const Used_fields& used, Cloud_builder& builder, Input_records* records)
 {
+  const Pcd_header& h = used.header;
   check_room(h.points, in.left() / h.row_size());
   std::vector<char> row(h.row_size());
   for(std::uint64_t i = 0; i < h.points; ++i) {
     if(in.sgetn(row.data(), std::streamsize(row.size())) != std::streamsize(row.size()))
       fail_after(i, h.points);
-    builder.add(row_of_bytes(used, [&](const Field& f) { return row.data() + f.position; }));
+    add_bytes(
+      used, [&](const Field& f) { return row.data() + f.position; }, builder, records);
   }
 }
 
@@ -238,12 +254,13 @@ std::string decompress(Input_buffer& in, const Pcd_header& h)
   return result;
 }
 
-void read_compressed(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
+void read_compressed(Input_buffer& in, const Used_fields& used, Cloud_builder& builder, Input_records* records)
 {
-  const std::string bytes = decompress(in, h);
-  for(std::size_t i = 0, n = std::size_t(h.points); i < n; ++i)
-    builder.add(
-      row_of_bytes(used, [&](const Field& f) { return bytes.data() + f.position * n + i * f.size * f.count; }));
+  const std::string bytes = decompress(in, used.header);
+  for(std::size_t i = 0, n = std::size_t(used.header.points); i < n; ++i) {
+    const auto start_of = [&](const Field& f) { return bytes.data() + f.position * n + i * f.size * f.count; };
+    add_bytes(used, start_of, builder, records);
+  }
 }
 
 // The bits of a real number are the color, as PCL takes it.
@@ -255,9 +272,10 @@ std::uint32_t color_bits(double value, const Field& f)
   return f.type == 'F' ? bits : value >= 0 && value < 4294967296. ? std::uint32_t(value) : 0;
 }
 
-void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, const Used_fields& used,
-               Cloud_builder& builder)
+void read_text(Input_buffer& in, Text_lines& lines, const Used_fields& used, Cloud_builder& builder,
+               Input_records* records)
 {
+  const Pcd_header& h = used.header;
   check_room(h.points, (in.left() + 1) / (2 * h.row_values())); // a digit and a separator each
   const std::size_t count = h.row_values();
   for(std::uint64_t i = 0; i < h.points; ++i) {
@@ -268,12 +286,43 @@ void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, const U
       fail_at_row(lines.row().number, "has more than ", count, " values");
     if(values.size() < count)
       fail_at_row(lines.row().number, "has ", values.size(), " values instead of ", count);
-    builder.add(make_row(
+    const Point_row row = make_row(
       used, [&](const Field& f) { return values[f.first]; },
-      [&](const Field& f) { return color_bits(values[f.first], f); }));
+      [&](const Field& f) { return color_bits(values[f.first], f); });
+    if(!builder.add(row) || records == nullptr)
+      continue;
+    const Cells cells = values_of(lines.row().text, ' ');
+    for(const Field* f : used.kept)
+      for(std::size_t c = f->first; c < f->first + f->count; ++c)
+        (records->bytes += cells[c]) += ';';
+    records->add("");
   }
   if(lines.next_filled())
     throw_error("has more rows than the ", h.points, " points that it announces");
+}
+
+// Finds the fields that records keep, and describes the records.
+void describe_records(const Input_settings& settings, Used_fields& used, Input_notes& notes)
+{
+  Input_records& records = *notes.records;
+  const Pcd_header& h = used.header;
+  std::array<std::string, 4> lines = {"FIELDS", "SIZE", "TYPE", "COUNT"};
+  for(std::size_t i = 0; i < h.fields.size(); ++i) {
+    const Field& f = h.fields[i];
+    if(!keeps_field(f.name, &f == used.color ? Column::red : column_at(used.places, i), settings, notes))
+      continue;
+    used.kept.push_back(&f);
+    lines[0] += ' ' + f.name;
+    lines[1] += ' ' + std::to_string(f.size);
+    lines[2] += std::string(" ") + f.type;
+    lines[3] += ' ' + std::to_string(f.count);
+  }
+  const Field& x = h.fields[used.places[0]];
+  records.real_size = x.type == 'F' ? x.size : 4;
+  records.encoding = h.data == "ascii" ? Encoding::text : Encoding::little_endian;
+  records.layout = text_of(h.data == "ascii", lines[0], lines[1], lines[2], lines[3]);
+  const std::string viewpoint = h.viewpoint.empty() ? "" : "VIEWPOINT " + boost::join(h.viewpoint, " ") + '\n';
+  records.head = {h.before, lines[0], lines[1], lines[2], lines[3], h.shape, viewpoint};
 }
 
 // The place, and the rotation as quaternion, which says nothing of the side that was seen. Files were read whatever the
@@ -299,17 +348,21 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   Input_buffer in(file);
   Text_lines lines(in);
   const Pcd_header h = read_pcd_header(lines);
-  const Used_fields used = used_fields(h, settings.tolerance);
+  Used_fields used = used_fields(h, settings.tolerance);
   Fields fields = fields_of(used.places, settings, "field");
   fields.color = used.color != nullptr;
   note_viewpoint(h.viewpoint, fields.normal, notes);
   Cloud_builder builder(points, fields, settings, notes);
+  if(notes.records)
+    describe_records(settings, used, notes);
   if(h.data == "binary")
-    read_binary(in, h, used, builder);
+    read_binary(in, used, builder, notes.records.get());
   else if(h.data == "binary_compressed")
-    read_compressed(in, h, used, builder);
+    read_compressed(in, used, builder, notes.records.get());
   else
-    read_text(in, lines, h, used, builder);
+    read_text(in, lines, used, builder, notes.records.get());
+  if(notes.records && notes.records->ends.size() != h.points)
+    notes.records->head[5].clear();
 }
 
 } // namespace program

@@ -38,12 +38,14 @@ struct Property {
   std::string name;
   Type type;
   std::optional<Type> count; // of a list
+  std::size_t line = 0;      // of the element
 };
 
 struct Element {
   std::string name;
   std::uint64_t count = 0;
   std::vector<Property> properties;
+  std::vector<std::string> lines; // behind its own: properties and comments
 
   bool has_points() const { return is_in(name, {"vertex", "vertices"}); }
   bool has_faces() const { return count > 0 && is_in(name, {"face", "faces", "tristrips"}); }
@@ -51,6 +53,7 @@ struct Element {
 
 struct Header {
   std::string format;
+  std::vector<std::string> lines; // before the elements
   std::vector<Element> elements;
 };
 
@@ -66,10 +69,10 @@ Property parse_property(std::istream& words)
     if(type_of(word).size == 0)
       throw_error("unknown type '", word, "' of the PLY property '", name, "'");
   if(count.empty())
-    return {name, type_of(type), std::nullopt};
+    return {name, type_of(type), std::nullopt, 0};
   if(type_of(count).kind == 'F')
     throw_error("the number of items of the PLY list '", name, "' must be an integer");
-  return {name, type_of(type), type_of(count)};
+  return {name, type_of(type), type_of(count), 0};
 }
 
 Header read_header(Text_lines& lines)
@@ -79,6 +82,7 @@ Header read_header(Text_lines& lines)
   std::string keyword;
   if(!lines.next() || !(std::istringstream(lines.row().text) >> keyword) || keyword != "ply")
     throw std::runtime_error("is not a PLY file (the first line is not 'ply')");
+  header.lines.push_back(lines.row().text);
   for(std::size_t bytes = 0; lines.next();) {
     bytes += lines.row().text.size() + 1;
     if(bytes > most_bytes)
@@ -97,14 +101,17 @@ Header read_header(Text_lines& lines)
       std::int64_t count = -1;
       if(!(words >> name >> count) || count < 0)
         throw_error("the PLY header has no number of items for the element '", name, "'");
-      header.elements.push_back({name, std::uint64_t(count), {}});
+      header.elements.push_back({name, std::uint64_t(count), {}, {}});
+      continue;
     } else if(keyword == "property") {
       if(header.elements.empty())
         throw std::runtime_error("the PLY header has an incomplete property");
       header.elements.back().properties.push_back(parse_property(words));
+      header.elements.back().properties.back().line = header.elements.back().lines.size();
     } else if(keyword == "end_header") {
       return header;
     }
+    (header.elements.empty() ? header.lines : header.elements.back().lines).push_back(lines.row().text);
   }
   throw std::runtime_error("the PLY header has no end");
 }
@@ -205,9 +212,11 @@ public:
   void next(std::size_t wanted_list = nowhere, bool is_wanted = true)
   {
     ++row;
+    record.clear();
     numbers.resize(element.properties.size());
     for(std::size_t i = 0; i < numbers.size(); ++i) {
       const Property& p = element.properties[i];
+      is_kept = i < kept.size() && kept[i];
       const std::uint64_t count = p.count ? read_count(p) : 1;
       if(!is_ascii && !is_wanted) {
         check_left(count * p.type.size);
@@ -230,6 +239,8 @@ public:
 
   std::vector<double> numbers; // one of each property: of a list that of its items
   std::vector<double> list;    // the items of the wanted one
+  std::vector<bool> kept;      // the properties that the record has
+  std::string record;          // the bytes of the row; of a text its values, with a semicolon behind each
 
 private:
   std::uint64_t read_count(const Property& p)
@@ -256,6 +267,8 @@ private:
     check_left(type.size);
     if(in.sgetn(bytes, std::streamsize(type.size)) != std::streamsize(type.size))
       fail("");
+    if(is_kept)
+      record.append(bytes, type.size);
     if(is_big)
       std::reverse(bytes, bytes + type.size);
     return number_of_type(bytes, type.kind, type.size);
@@ -270,6 +283,8 @@ private:
       ;
     for(int c = in.sgetc(); word.size() < most && c != eof && !is_blank(c); c = next_byte())
       word += char(c);
+    if(is_kept)
+      (record += word) += ';';
   }
 
   // 0 if it is not wanted.
@@ -330,7 +345,7 @@ private:
   static constexpr int eof = std::streambuf::traits_type::eof();
   Input_buffer& in;
   const Element& element;
-  bool is_ascii, is_big, have_one_size = true;
+  bool is_ascii, is_big, have_one_size = true, is_kept = false;
   std::uint64_t least_size = 0; // of a row
   std::uint64_t row = 0;        // from 1 on
   std::size_t length = 0;       // of the line, or of the number, as far as it is read
@@ -350,6 +365,29 @@ void check_end(Input_buffer& in, bool is_ascii)
 }
 
 // ---
+
+std::string joined_lines(const std::vector<std::string>& lines)
+{
+  std::string text;
+  for(const std::string& line : lines)
+    text += line.empty() ? "" : line + '\n';
+  return text;
+}
+
+// A part of a file; of a text without blanks around it, but with the end of its last line.
+std::string bytes_of(Byte_source& file, std::uint64_t first, std::uint64_t last, bool is_text)
+{
+  std::string bytes(std::size_t(last - first), '\0');
+  Input_buffer(file, first).sgetn(bytes.data(), std::streamsize(bytes.size()));
+  check_signals();
+  if(is_text) {
+    bytes.erase(0, first_not_blank(bytes));
+    while(!bytes.empty() && is_blank(bytes.back()))
+      bytes.pop_back();
+    bytes += bytes.empty() ? "" : "\n";
+  }
+  return bytes;
+}
 
 // The property that has each of the columns.
 Column_places places_of_columns(const Element& points, const std::string& tolerance)
@@ -372,6 +410,62 @@ Column_places places_of_columns(const Element& points, const std::string& tolera
   return places;
 }
 
+// The properties that the records of points have.
+std::vector<bool> kept_properties(const Element& points, const Column_places& places, const Input_settings& settings,
+                                  Input_notes& notes)
+{
+  Input_records& records = *notes.records;
+  const Type& type = points.properties[places[0]].type;
+  records.real_size = type.kind == 'F' ? type.size : 4;
+  std::vector<bool> kept;
+  std::vector<std::string> lines = points.lines;
+  for(std::size_t i = 0; i < points.properties.size(); ++i) {
+    const Property& p = points.properties[i];
+    kept.push_back(keeps_field(p.name, column_at(places, i), settings, notes));
+    if(kept.back())
+      records.layout += lines[p.line] + '\n';
+    else
+      lines[p.line].clear();
+  }
+  records.head = {"", joined_lines(lines), ""};
+  return kept;
+}
+
+// What is around the points. Other elements may name points by their places: they go where points are left out.
+void describe_records(Byte_source& file, const Header& header, const std::vector<std::uint64_t>& places,
+                      Input_notes& notes)
+{
+  Input_records& records = *notes.records;
+  const bool is_text = header.format == "ascii";
+  records.encoding = is_text                                ? Encoding::text
+                     : header.format == "binary_big_endian" ? Encoding::big_endian
+                                                            : Encoding::little_endian;
+  records.layout += header.format;
+  const auto has_points = [](const Element& element) { return element.has_points(); };
+  const auto points = std::find_if(header.elements.begin(), header.elements.end(), has_points);
+  const bool has_others = std::any_of(header.elements.begin(), header.elements.end(), [](const Element& element) {
+    return !element.has_points() && element.count > 0;
+  });
+  const bool has_all = records.ends.size() == points->count;
+  records.is_whole = has_others && has_all;
+  records.has_others = records.has_others || records.is_whole;
+  records.head[0] = joined_lines(header.lines);
+  std::string bytes_before;
+  for(std::size_t e = 0; e < header.elements.size() && (has_all || !has_others); ++e) {
+    const Element& element = header.elements[e];
+    if(element.has_points())
+      continue;
+    const bool is_before = &element < &*points;
+    records.head[is_before ? 0 : 2] +=
+      text_of("element ", element.name, ' ', element.count, '\n', joined_lines(element.lines));
+    (is_before ? bytes_before : records.tail) += bytes_of(file, places[e], places[e + 1], is_text);
+  }
+  records.head[0] += "element " + points->name + ' ';
+  records.head[2] += "end_header\n" + bytes_before;
+  if(has_others && !has_all)
+    notes.warnings.emplace_back("has more than points, which the output does not have, because points are left out");
+}
+
 // Colors have channels of 8 bits, of 16 bits, or real ones from 0 to 1: all points tell which.
 void read_points(Rows& rows, const Element& element, const Input_settings& settings, Point_set& points,
                  Input_notes& notes)
@@ -379,6 +473,8 @@ void read_points(Rows& rows, const Element& element, const Input_settings& setti
   const Column_places places = places_of_columns(element, settings.tolerance);
   Cloud_builder builder(points, fields_of(places, settings, "property"), settings, notes);
   const bool has_color = points.has_property_map<Input_color>(color_name);
+  if(notes.records)
+    rows.kept = kept_properties(element, places, settings, notes);
   std::vector<double> channels;
   double largest = 0;
   bool are_integers = true;
@@ -386,6 +482,8 @@ void read_points(Rows& rows, const Element& element, const Input_settings& setti
     rows.next();
     const Row_values values = values_at(places, [&](std::size_t property) { return rows.numbers[property]; });
     const bool is_kept = builder.add(row_of(values));
+    if(is_kept && notes.records)
+      notes.records->add(rows.record);
     for(std::size_t c = std::size_t(Column::red); has_color && c <= std::size_t(Column::blue); ++c) {
       largest = (std::max)(largest, values[c]);
       are_integers = are_integers && values[c] == std::floor(values[c]);
@@ -424,25 +522,30 @@ void read_ply(Byte_source& file, const Input_settings& settings, Point_set& poin
   for(const Element& element : header.elements)
     number_of_faces += element.has_faces() ? element.count : 0;
   const Input_settings of_points = settings_of_corners(number_of_faces, settings);
-  std::vector<std::pair<const Element*, std::uint64_t>> faces; // and where they begin
+  if(number_of_faces > 0 && settings.sample.value_or(0) > 0)
+    notes.records.reset();           // the points of the output are others
+  std::vector<std::uint64_t> places; // where the elements begin, and the end of the last one
   for(const Element& element : header.elements) {
     Rows rows(in, header.format, element);
-    if(element.has_faces())
-      faces.emplace_back(&element, in.position());
+    places.push_back(in.position());
     if(&element == &element_of_points)
       read_points(rows, element, of_points, points, notes);
     else
       rows.skip();
   }
+  places.push_back(in.position());
   check_end(in, header.format == "ascii");
+  if(notes.records)
+    describe_records(file, header, places, notes);
   if(!samples_faces(number_of_faces, settings, notes))
     return;
   Mesh_faces mesh(points);
-  for(const auto& [element, first] : faces) {
-    Input_buffer of_faces(file, first);
-    Rows rows(of_faces, header.format, *element);
-    add_faces(rows, *element, mesh);
-  }
+  for(std::size_t e = 0; e < header.elements.size(); ++e)
+    if(const Element& element = header.elements[e]; element.has_faces()) {
+      Input_buffer of_faces(file, places[e]);
+      Rows rows(of_faces, header.format, element);
+      add_faces(rows, element, mesh);
+    }
   points = mesh.sample(settings, notes);
 }
 

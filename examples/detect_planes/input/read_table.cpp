@@ -396,6 +396,27 @@ bool is_rest_of_number(std::string_view before, std::string_view value)
   return value.size() > 1 && value[0] == '0' && is_digit(value[1]) && is_integer(before);
 }
 
+// Finds the columns that records keep, and describes the records.
+std::vector<std::size_t> kept_columns(const Table_head& head, const Input_settings& settings, Input_notes& notes)
+{
+  Input_records& records = *notes.records;
+  const std::size_t values = head.rows.empty() ? 0 : values_of(head.rows[0].text).size();
+  std::vector<std::size_t> kept;
+  records.head = {""};
+  for(std::size_t c = 0; c < (std::max)(values, head.columns.size()); ++c) {
+    const Column column = c < head.columns.size() ? head.columns[c] : Column::none;
+    const bool has_name = head.source == Source::header && c < head.names.size();
+    const std::string name = !has_name ? name_of(column) : head.names[c].empty() ? "_" : head.names[c];
+    if(!keeps_field(name, column, settings, notes))
+      continue;
+    kept.push_back(c);
+    records.head[0] += name + ';';
+  }
+  records.encoding = Encoding::text;
+  records.layout = records.head[0];
+  return kept;
+}
+
 // Makes points of the rows of a table, and looks at what may be wrong with them.
 class Table_reader {
 public:
@@ -403,7 +424,10 @@ public:
     : head(head), columns(head.columns), notes(notes),
       fields(fields_of([this](Column c) { return has_column(columns, c); })), builder(points, fields, settings, notes),
       may_be_decimal(head.source == Source::sample && !head.rows.empty())
-  {}
+  {
+    if(notes.records)
+      kept = kept_columns(head, settings, notes);
+  }
 
   void add(const Text_row& row)
   {
@@ -413,7 +437,11 @@ public:
     for(std::size_t i = 0; i < 3; ++i)
       point.color[i] = clamped<std::uint16_t>(head.channel_unit * values[std::size_t(Column::red) + i]);
     point.classification = clamped<std::uint8_t>(values[std::size_t(Column::classification)]);
-    builder.add(point);
+    if(builder.add(point) && notes.records) {
+      for(std::size_t c : kept)
+        (notes.records->bytes += c < cells.size() ? cells[c] : "") += ';';
+      notes.records->add("");
+    }
     if(fields.normal)
       look_at_normal(point.normal);
     look_at_commas(row);
@@ -510,6 +538,7 @@ private:
   Fields fields;
   Cloud_builder builder;
   Row_values values = {};
+  std::vector<std::size_t> kept; // columns, in the records of points
   bool may_be_decimal, has_wide_colors = false;
   std::size_t count = 0, strange = 0; // rows, normals
   double example = 0, last_number = 0;

@@ -335,7 +335,40 @@ inline void check_room(std::uint64_t points, std::uint64_t room)
   throw_error("unreadable after point ", point, " of ", points);
 }
 
+// --- The records of points, for an output of the same format.
+
+// Whether they keep a field, which the output has nothing in place of; describes it if so. column: that it is, or `none`.
+inline bool keeps_field(const std::string& name, Column column, const Input_settings& settings, Input_notes& notes)
+{
+  const bool is_normal = column >= Column::nx && column <= Column::nz;
+  const bool is_color = column >= Column::red && column <= Column::blue;
+  if(name == settings.label)
+    notes.lines.emplace_back("replaced",
+                             "the property '" + name + "' of the input (--label-property names another one)");
+  if(name == settings.label || (is_normal && settings.replaces_normals) || (is_color && settings.replaces_colors))
+    return false;
+  Input_records& records = *notes.records;
+  records.names.push_back(name);
+  records.has_normals = records.has_normals || is_normal;
+  records.has_colors = records.has_colors || is_color;
+  records.has_others = records.has_others || column == Column::none;
+  return true;
+}
+
+// Of a field by its place; `none` also of those of an incomplete triple.
+inline Column column_at(const Column_places& places, std::size_t place)
+{
+  const auto has = [&](Column c) { return places[std::size_t(c)] != nowhere; };
+  const auto c = Column(std::find(places.begin(), places.end(), place) - places.begin());
+  const Fields fields = fields_of(has);
+  const bool is_incomplete = c < Column::red ? c >= Column::nx && !fields.normal : c <= Column::blue && !fields.color;
+  return is_incomplete ? Column::none : c;
+}
+
 // --- LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+
+constexpr std::size_t las_record_header = 54; // of a record before the points, in bytes
+constexpr std::size_t las_description = 192;  // of extra bytes
 
 // A number behind the bytes of the point format, as a record of the header describes it.
 struct Las_dimension {
@@ -359,17 +392,14 @@ struct Las_header {
   Las_frame frame;
   std::vector<Las_dimension> dimensions;
 
-  bool has_color() const { return color_position() > 0; }
-
-  // In the record of a point, 0 if there is no color.
-  std::size_t color_position() const
-  {
-    constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
-    return positions[point_format];
-  }
+  std::string bytes;                // of the header
+  std::vector<std::string> records; // but for those of extra bytes, of compression and of where points are in the file
+  std::string descriptions;         // of all extra bytes but for those of the label
+  std::size_t label_position = 0, label_size = 0; // in the record of a point
 };
 
-Las_header read_las_header(Input_buffer& in);
+// label: the name of extra bytes that the records of points are kept without.
+Las_header read_las_header(Input_buffer& in, const std::string& label);
 
 // Rounded after each operation, also where the processor could do both at once.
 double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
@@ -377,9 +407,14 @@ double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_
 // The bytes of a point of this format without extra ones.
 std::size_t las_point_size(int point_format);
 
-// The points that LASzip reads. tolerance: the dimension that has it, or null.
-void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
-                     Cloud_builder& builder);
+// In the record of a point, 0 if the format has no color.
+std::size_t las_color_position(int point_format);
+
+// What describes some extra bytes; type and options as files have them.
+std::string describe_las_bytes(int type, int options, const std::string& name, const std::string& text);
+
+// add(record): of each point that LASzip reads, as a LAS file has it.
+void read_laz_points(const std::string& path, const Las_header& header, const std::function<void(const char*)>& add);
 
 // LAS or LAZ. `path` is for LASzip, which opens a LAZ file itself.
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

@@ -16,116 +16,213 @@ bool has_double(const Output_points& cloud)
   });
 }
 
-// What a point has behind its color, as the formats describe it.
-struct Attribute {
+// A number of each point, as an output describes it.
+struct Output_field {
   std::string name;
-  const char* ply_type;
-  const char *pcd_size, *pcd_type;
+  char type;        // as that of number_of_type()
+  std::size_t size; // in bytes
+  Column value;     // `none` is the shape
 };
 
-std::vector<Attribute> attributes_of(const Output_points& cloud)
+// The numbers of a point by column, and its shape behind them.
+using Output_values = std::array<double, std::size_t(Column::none) + 1>;
+
+Output_values values_of(const Output_points& cloud, Point_set::Index i)
 {
-  std::vector<Attribute> attributes;
-  if(cloud.intensity)
-    attributes.push_back({"intensity", "float", " 4", " F"});
-  if(cloud.classification)
-    attributes.push_back({"classification", "uchar", " 1", " U"});
-  if(cloud.tolerance)
-    attributes.push_back({"tolerance", "double", " 8", " F"});
-  attributes.push_back({cloud.label_property, "int", " 4", " I"});
-  return attributes;
+  Output_values values = {};
+  const std::array<double, 6> numbers = cloud.place_and_normal(i);
+  std::copy(numbers.begin(), numbers.end(), values.begin());
+  const Color color = cloud.color(i);
+  std::copy(color.begin(), color.end(), values.begin() + std::size_t(Column::red));
+  values[std::size_t(Column::intensity)] = cloud.intensity ? double((*cloud.intensity)[i]) : 0;
+  values[std::size_t(Column::classification)] = cloud.classification ? (*cloud.classification)[i] : 0;
+  values[std::size_t(Column::tolerance)] = cloud.tolerance ? (*cloud.tolerance)[i] : 0;
+  values[std::size_t(Column::none)] = cloud.shape(i);
+  return values;
 }
 
-// write(number): but for the shape, which is the last.
+using Field_names = std::array<const char*, std::size_t(Column::none)>; // empty: a part of another field
+
+// What the records of the input do not have: without records, everything. real_size: of coordinates and normals.
+std::vector<Output_field> fields_of(const Output_points& cloud, const Field_names& names, std::size_t real_size)
+{
+  const Input_records* const r = cloud.records;
+  std::vector<Output_field> fields;
+  const auto add = [&](Column first, std::size_t count, char type, std::size_t size) {
+    for(std::size_t c = std::size_t(first); c < std::size_t(first) + count; ++c) {
+      std::string name = c < names.size() ? names[c] : cloud.label_property;
+      if(name.empty())
+        continue;
+      while(r != nullptr && is_in(name, r->names)) // of something else
+        name += '_';
+      fields.push_back({name, type, size, Column(c)});
+    }
+  };
+  const bool is_packed = names[std::size_t(Column::green)][0] == '\0';
+  if(r == nullptr)
+    add(Column::x, 3, 'F', real_size);
+  if(r == nullptr || !r->has_normals)
+    add(Column::nx, 3, 'F', real_size);
+  if(r == nullptr || !r->has_colors)
+    add(Column::red, 3, is_packed ? 'F' : 'U', is_packed ? 4 : 1);
+  if(r == nullptr && cloud.intensity)
+    add(Column::intensity, 1, 'F', 4);
+  if(r == nullptr && cloud.classification)
+    add(Column::classification, 1, 'U', 1);
+  if(cloud.tolerance)
+    add(Column::tolerance, 1, 'F', 8);
+  add(Column::none, 1, 'I', 4);
+  return fields;
+}
+
+std::size_t real_size_of(const Output_points& cloud)
+{
+  return cloud.records != nullptr ? cloud.records->real_size : has_double(cloud) ? 8 : 4;
+}
+
+// The channels as the bits of a real number, as PCL has them.
+float packed(const Color& c)
+{
+  const std::uint32_t bits = std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]);
+  float real;
+  std::memcpy(&real, &bits, sizeof real);
+  return real;
+}
+
+// write(number): of the type of the field.
 template <class Write>
-void write_attributes(const Output_points& cloud, Point_set::Index i, const Write& write)
+void write_field(double number, const Output_field& field, const Write& write)
 {
-  if(cloud.intensity)
-    write((*cloud.intensity)[i]);
-  if(cloud.classification)
-    write((*cloud.classification)[i]);
-  if(cloud.tolerance)
-    write((*cloud.tolerance)[i]);
+  if(field.type == 'U')
+    write(std::uint8_t(number));
+  else if(field.type == 'I')
+    write(std::int32_t(number));
+  else if(field.size == 4)
+    write(float(number));
+  else
+    write(number);
 }
 
-// write_color(color): as the format has it.
-template <class Write_color>
-void write_points(std::ostream& out, const Output_points& cloud, bool is_double, const Write_color& write_color)
+// A record of a text, which has a semicolon behind each value, with another separator. Values that are empty, or have
+// the separator in them, become others.
+void write_text(std::ostream& out, std::string_view record, char separator)
 {
-  for(Point_set::Index i : cloud.part) {
-    for(double x : cloud.place_and_normal(i))
-      if(is_double)
-        write_binary(out, x);
-      else
-        write_binary(out, float(x));
-    write_color(cloud.color(i));
-    write_attributes(cloud, i, [&](auto number) { write_binary(out, number); });
-    write_binary(out, cloud.shape(i));
+  bool is_empty = true;
+  for(char c : record) {
+    const bool is_end = c == ';', is_separator = separator == ' ' ? is_blank(c) : c == separator;
+    if(is_end && is_empty && separator == ' ')
+      out << "nan";
+    out << (is_end ? separator : is_separator ? '_' : c);
+    is_empty = is_end;
   }
 }
 
+// Each point has its record, and the fields behind it; separator: of texts.
+void write_points(std::ostream& out, const Output_points& cloud, const std::vector<Output_field>& fields,
+                  char separator = ' ', Encoding of_made = Encoding::little_endian)
+{
+  const Encoding encoding = cloud.records != nullptr ? cloud.records->encoding : of_made;
+  char end = separator;
+  const auto write = [&](auto number) {
+    if(encoding == Encoding::text)
+      return write_shortest(out, number, end);
+    char bytes[sizeof number];
+    number = little_endian(number);
+    std::memcpy(bytes, &number, sizeof number);
+    if(encoding == Encoding::big_endian)
+      std::reverse(bytes, bytes + sizeof number);
+    out.write(bytes, sizeof number);
+  };
+  cloud.for_each([&](Point_set::Index i, std::string_view record) {
+    Output_values values = values_of(cloud, i);
+    if(encoding == Encoding::text)
+      write_text(out, record, separator);
+    else
+      out << record;
+    for(const Output_field& field : fields) {
+      if(field.value == Column::red && field.type == 'F')
+        values[std::size_t(Column::red)] = double(packed(cloud.color(i)));
+      end = field.value == Column::none ? '\n' : separator;
+      write_field(values[std::size_t(field.value)], field, write);
+    }
+  });
+}
+
+// The parts of the head: what is before the number of points, the properties of these, and what is behind them.
 void write_ply(std::ostream& out, const Output_points& cloud)
 {
-  const bool is_double = has_double(cloud);
-  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex " << cloud.part.size();
-  for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    out << "\nproperty " << (is_double ? "double " : "float ") << name;
-  out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
-  for(const Attribute& a : attributes_of(cloud))
-    out << "property " << a.ply_type << ' ' << a.name << '\n';
-  out << "end_header\n";
-  write_points(out, cloud, is_double, [&](const Color& color) {
-    for(std::uint8_t channel : color)
-      write_binary(out, channel);
-  });
+  const std::vector<Output_field> fields = fields_of(
+    cloud, {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "intensity", "classification", "tolerance"},
+    real_size_of(cloud));
+  const Input_records* const r = cloud.records;
+  out << (r != nullptr ? r->head[0]
+                       : "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex ")
+      << cloud.part.size() << '\n'
+      << (r != nullptr ? r->head[1] : "");
+  for(const Output_field& f : fields)
+    out << "property "
+        << (f.type == 'U'   ? "uchar "
+            : f.type == 'I' ? "int "
+            : f.size == 4   ? "float "
+                            : "double ")
+        << f.name << '\n';
+  out << (r != nullptr ? r->head[2] : "end_header\n");
+  write_points(out, cloud, fields);
+  out << (r != nullptr ? r->tail : "");
 }
 
+// The parts of the head: what is before the fields, the lines of these, width and height of all points, or nothing, and
+// the viewpoint.
 void write_pcd(std::ostream& out, const Output_points& cloud)
 {
-  const bool is_double = has_double(cloud);
-  std::string names, sizes = is_double ? " 8 8 8 8 8 8 4" : " 4 4 4 4 4 4 4", types, counts;
-  for(const Attribute& a : attributes_of(cloud)) {
-    names += ' ' + a.name;
-    sizes += a.pcd_size;
-    types += a.pcd_type;
-    counts += " 1";
+  const std::vector<Output_field> fields = fields_of(
+    cloud,
+    {"x", "y", "z", "normal_x", "normal_y", "normal_z", "rgb", "", "", "intensity", "classification", "tolerance"},
+    real_size_of(cloud));
+  const Input_records* const r = cloud.records;
+  std::array<std::string, 4> lines = {"FIELDS", "SIZE", "TYPE", "COUNT"};
+  for(std::size_t i = 0; i < lines.size() && r != nullptr; ++i)
+    lines[i] = r->head[i + 1];
+  for(const Output_field& f : fields) {
+    lines[0] += ' ' + f.name;
+    lines[1] += ' ' + std::to_string(f.size);
+    lines[2] += std::string(" ") + f.type;
+    lines[3] += " 1";
   }
-  out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb" << names
-      << "\nSIZE" << sizes << "\nTYPE F F F F F F F" << types << "\nCOUNT 1 1 1 1 1 1 1" << counts << "\nWIDTH "
-      << cloud.part.size() << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
-  write_points(out, cloud, is_double, [&](const Color& c) {
-    write_binary(out, std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
-  });
+  out << (r != nullptr ? r->head[0] : "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n");
+  for(const std::string& line : lines)
+    out << line << '\n';
+  if(r != nullptr && cloud.parts.size() == 1 && !r->head[5].empty())
+    out << r->head[5];
+  else
+    out << "WIDTH " << cloud.part.size() << "\nHEIGHT 1\n";
+  out << (r != nullptr ? r->head[6] : "VIEWPOINT 0 0 0 1 0 0 0\n") << "POINTS " << cloud.part.size() << "\nDATA "
+      << (r != nullptr && r->encoding == Encoding::text ? "ascii" : "binary") << '\n';
+  write_points(out, cloud, fields);
 }
 
+// The head: the names of the columns.
 void write_table(std::ostream& out, const Output_points& cloud, char separator, const char* comment)
 {
-  std::string names = "x y z nx ny nz r g b";
-  for(const Attribute& a : attributes_of(cloud))
-    names += ' ' + a.name;
-  std::replace(names.begin(), names.end(), ' ', separator);
-  out << comment << names << '\n';
-  const auto write = [&](auto number) { write_shortest(out, number, separator); };
-  for(Point_set::Index i : cloud.part) {
-    for(double x : cloud.place_and_normal(i))
-      write(x);
-    for(std::uint8_t channel : cloud.color(i))
-      write(channel);
-    write_attributes(cloud, i, write);
-    out << cloud.shape(i) << '\n';
-  }
+  const std::vector<Output_field> fields =
+    fields_of(cloud, {"x", "y", "z", "nx", "ny", "nz", "r", "g", "b", "intensity", "classification", "tolerance"}, 8);
+  out << comment;
+  if(cloud.records != nullptr)
+    write_text(out, cloud.records->head[0], separator);
+  for(const Output_field& f : fields)
+    out << f.name << (f.value == Column::none ? '\n' : separator);
+  write_points(out, cloud, fields, separator, Encoding::text);
 }
 
 } // namespace
 
-void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension,
-                 const std::optional<Las_frame>& frame)
+void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension)
 {
   if constexpr(has_laszip)
     if(extension == ".laz")
-      return write_laz(out, cloud, frame);
+      return write_laz(out, cloud);
   if(extension == ".las")
-    write_las(out, cloud, frame);
+    write_las(out, cloud);
   else if(extension == ".pcd")
     write_pcd(out, cloud);
   else if(extension == ".csv")

@@ -115,98 +115,217 @@ bool is_fine(const Las_frame& frame, const Output_points& cloud)
   });
 }
 
+// The grid of the first LAS input, if all points are on it, or near it.
+Las_frame frame_of(const Output_points& cloud, const Bounds& bounds)
+{
+  const Las_frame* first = nullptr;
+  bool is_one = cloud.records != nullptr;
+  for(const Input_part& part : cloud.parts)
+    if(const std::optional<Las_frame>& own = part.notes.las_frame) {
+      first = first != nullptr ? first : &*own;
+      is_one = is_one && own->scale == first->scale && own->offset == first->offset;
+    }
+  const Bounds measured = bounds_of(cloud, measured_points(cloud));
+  if(first != nullptr && (is_one || bounds.count == 0 || (has_room(*first, measured) && is_fine(*first, cloud))))
+    return *first;
+  Las_frame frame = make_frame(bounds, measured, cloud.shapes.parameters().maximum_distance);
+  if(first != nullptr) {
+    frame.records = first->records;
+    frame.projection = first->projection;
+  }
+  return frame;
+}
+
 std::string padded(std::string text, std::size_t size)
 {
   text.resize(size, '\0');
   return text;
 }
 
-// The record that describes the extra bytes.
-std::string extra_bytes_record(const std::string& name)
+template <class T>
+void put(std::string& bytes, std::size_t place, T value)
 {
-  constexpr char int32_type = 6;
-  std::string record =
-    padded("", 2) + padded("LASF_Spec", 16) + std::string("\4\0\300\0", 4) + padded("extra bytes", 32);
-  record += std::string("\0\0", 2) + int32_type + '\0' + padded(name, 32);
-  return padded(record, 54 + 160) + padded("shape of detect_planes", 32);
+  const T ordered = little_endian(value);
+  bytes.replace(place, sizeof(T), reinterpret_cast<const char*>(&ordered), sizeof(T));
 }
 
-void write_header(std::ostream& out, const Las_frame& frame, const Bounds& bounds, bool is_format_7)
+// What is around the points.
+struct Las_file {
+  std::string header, descriptions; // of extra bytes
+  std::vector<std::string> records;
+  int point_format = 0;
+  std::size_t record_length = 0; // of a point without the shape
+  std::size_t size_of_added_color = 0;
+  Las_frame frame = {};
+  bool sets_coordinates = true; // else they are those of the records
+};
+
+// Of points of other formats. Most programs read the point formats 0 and 2; 6 and 7 have room for all classes, and are
+// those for coordinate systems as WKT.
+Las_file make_file(const Output_points& cloud, const Las_frame& frame)
 {
-  constexpr std::uint16_t header_size = 375;
-  std::size_t first_point = header_size;
-  for(const std::string& record : frame.records)
-    first_point += record.size();
-  // WKT, which the specification asks for with this format; but keys of GeoTIFF are what they are.
-  const std::uint16_t global_encoding = is_format_7 && frame.projection != Projection::geotiff ? 16 : 0;
-  // Not for the formats from 6 on, nor for more than 32 bits.
-  const std::uint32_t old_count = !is_format_7 && bounds.count <= 0xFFFFFFFF ? std::uint32_t(bounds.count) : 0;
-  out << "LASF" << padded("", 2);
-  write_binary(out, global_encoding);
-  out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
-  write_binary(out, header_size);
-  write_binary(out, std::uint32_t(first_point));
-  write_binary(out, std::uint32_t(frame.records.size()));
-  out << (is_format_7 ? '\7' : '\2');
-  write_binary(out, std::uint16_t((is_format_7 ? 36 : 26) + 4));
-  write_binary(out, old_count);
-  write_binary(out, old_count);
-  out << padded("", 16);
-  for(const std::array<double, 3>& numbers : {frame.scale, frame.offset})
-    for(double x : numbers)
-      write_binary(out, x);
-  for(int c = 0; c < 3; ++c)
-    for(double x : {bounds.box.max(c), bounds.box.min(c)})
-      write_binary(out, place_on_grid(x, frame, std::size_t(c)));
-  out << padded("", 20); // neither waveforms nor extended records
-  write_binary(out, bounds.count);
-  write_binary(out, bounds.count); // all of them are first returns
-  out << padded("", 14 * 8);
+  const auto is_high = [&](Point_set::Index i) { return cloud.classification && (*cloud.classification)[i] > 31; };
+  const bool is_extended =
+    frame.projection == Projection::wkt || std::any_of(cloud.part.begin(), cloud.part.end(), is_high);
+  const bool has_color = cloud.has_input_colors() || cloud.has_shape_colors;
+  constexpr std::size_t header_size = 375;
+  Las_file file;
+  file.header = padded("LASF", header_size);
+  file.records = frame.records;
+  file.point_format = (is_extended ? 6 : 0) + (!has_color ? 0 : is_extended ? 1 : 2);
+  // WKT, which the specification asks for with these formats; but keys of GeoTIFF are what they are.
+  put(file.header, 6, std::uint16_t(is_extended && frame.projection != Projection::geotiff ? 16 : 0));
+  file.header[24] = 1;
+  file.header[25] = 4;
+  put(file.header, 94, std::uint16_t(header_size));
+  file.record_length = las_point_size(file.point_format);
+  return file;
 }
 
-void write_point(std::ostream& out, const Output_points& cloud, Point_set::Index i, const Las_frame& frame,
-                 bool is_format_7)
+std::string make_record(const Output_points& cloud, Point_set::Index i, const Las_file& file)
 {
-  const Kernel::Point_3& p = cloud.points.point(i);
-  for(int c = 0; c < 3; ++c)
-    write_binary(out, integer_on_grid(p[c], frame, std::size_t(c)));
+  std::string record(file.record_length, '\0');
+  const bool is_extended = file.point_format >= 6;
   const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
-  write_binary(out, intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
-  const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
-  if(is_format_7)
-    out << '\x11' << '\0' << char(classification) << padded("", 13); // first return of one; no time
+  put(record, 12, clamped<std::uint16_t>(double(intensity)));
+  record[14] = is_extended ? '\x11' : '\x09'; // first return of one
+  record[is_extended ? 16 : 15] = char(cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0));
+  return record;
+}
+
+// The file of the input; a point format without colors gets them where they are asked for.
+Las_file file_of_input(const Output_points& cloud)
+{
+  const std::vector<std::string>& head = cloud.records->head;
+  Las_file file;
+  file.header = head[0];
+  file.descriptions = head[1];
+  file.records.assign(head.begin() + 2, head.end());
+  file.point_format = file.header[104] & 0x3F;
+  file.record_length = number_at<std::uint16_t>(head[0].data() + 105);
+  if(!cloud.has_shape_colors || las_color_position(file.point_format) > 0)
+    return file;
+  constexpr int with_colors[11] = {2, 3, 2, 3, 5, 5, 7, 7, 8, 10, 10};
+  const std::size_t before = las_point_size(file.point_format);
+  file.point_format = with_colors[file.point_format];
+  file.size_of_added_color = las_point_size(file.point_format) - before;
+  file.record_length += file.size_of_added_color;
+  file.header[25] = (std::max)(file.header[25], '\2'); // LAS 1.2 is the first with colors
+  return file;
+}
+
+// With the shape.
+std::string record_of(const Output_points& cloud, Point_set::Index i, std::string_view of_input, const Las_file& file)
+{
+  std::string record(of_input);
+  const std::size_t color_position = las_color_position(file.point_format);
+  if(cloud.records == nullptr)
+    record = make_record(cloud, i, file);
   else
-    out << '\x09' << char(classification) << padded("", 4);
-  for(std::uint16_t channel : cloud.wide_color(i))
-    write_binary(out, channel);
-  write_binary(out, cloud.shape(i));
+    record.insert(color_position, file.size_of_added_color, '\0');
+  if(file.sets_coordinates)
+    for(int c = 0; c < 3; ++c)
+      put(record, 4 * std::size_t(c), integer_on_grid(cloud.points.point(i)[c], file.frame, std::size_t(c)));
+  if(color_position > 0 && (cloud.records == nullptr || cloud.has_shape_colors))
+    for(std::size_t c = 0; c < 3; ++c)
+      put(record, color_position + 2 * c, cloud.wide_color(i)[c]);
+  record.resize(record.size() + sizeof(std::int32_t));
+  put(record, record.size() - sizeof(std::int32_t), cloud.shape(i));
+  return record;
+}
+
+// Numbers of points, of all and by their number of return; what the header has no room for is 0.
+void set_counts(std::string& header, std::uint64_t count, const std::array<std::uint64_t, 16>& of_returns,
+                int point_format)
+{
+  constexpr std::uint64_t largest = 0xFFFFFFFF;
+  const bool is_1_4 = header[25] == 4 && header.size() >= 375;
+  if(count > largest && !is_1_4)
+    throw_error(count, " points are too many for the LAS version of the inputs");
+  const auto old = [&](std::uint64_t n) {
+    return is_1_4 && (point_format >= 6 || count > largest) ? std::uint32_t(0) : std::uint32_t(n);
+  };
+  put(header, 107, old(count));
+  for(std::size_t r = 1; r <= 5; ++r)
+    put(header, 107 + 4 * r, old(of_returns[r]));
+  if(!is_1_4)
+    return;
+  put(header, 247, count);
+  for(std::size_t r = 1; r <= 15; ++r)
+    put(header, 247 + 8 * r, of_returns[r]);
+}
+
+void set_header(const Output_points& cloud, const Bounds& bounds, Las_file& file)
+{
+  std::string& header = file.header;
+  header.replace(58, 32, padded("detect_planes of Tandem", 32));
+  std::size_t first_point = header.size();
+  for(const std::string& record : file.records)
+    first_point += record.size();
+  constexpr std::size_t most = 65535;
+  const std::size_t length = file.record_length + sizeof(std::int32_t);
+  if(length > most || file.descriptions.size() > most)
+    throw std::runtime_error("the points of the LAS input have too many extra bytes to add the shape");
+  put(header, 96, std::uint32_t(first_point));
+  put(header, 100, std::uint32_t(file.records.size()));
+  header[104] = char(file.point_format);
+  put(header, 105, std::uint16_t(length));
+  std::array<std::uint64_t, 16> of_returns = {};
+  cloud.for_each([&](Point_set::Index i, std::string_view record) {
+    if(is_finite(cloud.points.point(i)))
+      ++of_returns[cloud.records == nullptr ? 1 : std::uint8_t(record[14]) & (file.point_format < 6 ? 7 : 15)];
+  });
+  set_counts(header, bounds.count, of_returns, file.point_format);
+  for(std::size_t c = 0; c < 3; ++c) {
+    put(header, 131 + 8 * c, file.frame.scale[c]);
+    put(header, 155 + 8 * c, file.frame.offset[c]);
+    put(header, 179 + 16 * c, place_on_grid(bounds.box.max(int(c)), file.frame, c));
+    put(header, 187 + 16 * c, place_on_grid(bounds.box.min(int(c)), file.frame, c));
+  }
+  set_tail(header, first_point + bounds.count * length, cloud.records);
 }
 
 } // namespace
 
-void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
+void set_tail(std::string& header, std::uint64_t first, const Input_records* records)
 {
-  const auto is_written = [&](Point_set::Index i) { return is_finite(cloud.points.point(i)); };
-  const Bounds bounds = bounds_of(cloud, is_written), measured = bounds_of(cloud, measured_points(cloud));
-  const bool is_kept =
-    frame_of_input && (bounds.count == 0 || (has_room(*frame_of_input, measured) && is_fine(*frame_of_input, cloud)));
-  Las_frame frame =
-    is_kept ? *frame_of_input : make_frame(bounds, measured, cloud.shapes.parameters().maximum_distance);
-  if(frame_of_input) {
-    frame.records = frame_of_input->records;
-    frame.projection = frame_of_input->projection;
+  std::uint32_t count = 0;
+  for(std::size_t place = 0; records != nullptr && place < records->tail.size(); ++count)
+    place += 60 + std::size_t(number_at<std::uint64_t>(records->tail.data() + place + 20));
+  if(header[25] >= 3 && header.size() >= 235)
+    put(header, 227, count > 0 && records->waveforms ? first + *records->waveforms : 0);
+  if(header[25] >= 4 && header.size() >= 375) {
+    put(header, 235, count > 0 ? first : 0);
+    put(header, 243, count);
   }
-  frame.records.push_back(extra_bytes_record(cloud.label_property));
-  // Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
-  const auto is_high = [&](Point_set::Index i) { return cloud.classification && (*cloud.classification)[i] > 31; };
-  const bool is_format_7 =
-    frame.projection == Projection::wkt || std::any_of(cloud.part.begin(), cloud.part.end(), is_high);
-  write_header(out, frame, bounds, is_format_7);
-  for(const std::string& record : frame.records)
-    out << record;
-  for(Point_set::Index i : cloud.part)
+}
+
+void write_las(std::ostream& out, const Output_points& cloud)
+{
+  const Bounds bounds = bounds_of(cloud, [&](Point_set::Index i) { return is_finite(cloud.points.point(i)); });
+  const Las_frame frame = frame_of(cloud, bounds);
+  Las_file file = cloud.records != nullptr ? file_of_input(cloud) : make_file(cloud, frame);
+  file.frame = frame;
+  file.sets_coordinates =
+    cloud.records == nullptr || std::any_of(cloud.parts.begin(), cloud.parts.end(), [&](const Input_part& part) {
+      const std::optional<Las_frame>& own = part.notes.las_frame;
+      return own && (own->scale != frame.scale || own->offset != frame.offset);
+    });
+  constexpr int int32_type = 6;
+  file.descriptions += describe_las_bytes(int32_type, 0, cloud.label_property, "shape of detect_planes");
+  std::string record = padded("", 2) + padded("LASF_Spec", 16) + std::string("\4\0\0\0", 4) + padded("extra bytes", 32);
+  put(record, 20, std::uint16_t(file.descriptions.size()));
+  file.records.push_back(record + file.descriptions);
+  set_header(cloud, bounds, file);
+  out << file.header;
+  for(const std::string& before : file.records)
+    out << before;
+  cloud.for_each([&](Point_set::Index i, std::string_view of_input) {
     if(is_finite(cloud.points.point(i)))
-      write_point(out, cloud, i, frame, is_format_7);
+      out << record_of(cloud, i, of_input, file);
+  });
+  if(cloud.records != nullptr)
+    out << cloud.records->tail;
 }
 
 } // namespace program

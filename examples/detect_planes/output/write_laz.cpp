@@ -40,7 +40,7 @@ void compress(const std::string& las, const std::string& laz)
 } // namespace
 
 // LASzip opens files itself.
-void write_laz(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
+void write_laz(std::ostream& out, const Output_points& cloud)
 {
   const Temporary_path las(partial_name(std::filesystem::temp_directory_path()));
   const Temporary_path laz(partial_name(std::filesystem::temp_directory_path()));
@@ -49,11 +49,16 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
   if(!buffer.open(las.name().c_str(), O_EXCL, 0600))
     throw_error(las.name().string(), ": cannot be written", reason_of(errno));
   std::ostream file(&buffer);
-  write_completely(las.name().string(), file, buffer,
-                   [&](std::ostream& stream) { write_las(stream, cloud, frame_of_input); });
+  write_completely(las.name().string(), file, buffer, [&](std::ostream& stream) { write_las(stream, cloud); });
   compress(las.name().string(), laz.name().string());
+  // LASzip passes over what stands behind the points.
   std::ifstream compressed(laz.name(), std::ios::binary);
-  out << compressed.rdbuf();
+  std::string header(375, '\0');
+  compressed.read(header.data(), std::streamsize(header.size()));
+  set_tail(header, std::filesystem::file_size(laz.name()), cloud.records);
+  out << header << compressed.rdbuf();
+  if(cloud.records != nullptr)
+    out << cloud.records->tail;
 }
 
 } // namespace program

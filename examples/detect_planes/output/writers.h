@@ -91,24 +91,54 @@ inline void begin_geojson(std::ostream& out, const Options& o)
 
 // --- A cloud.
 
-// A part of the cloud with the result, as the formats of --output get it.
+using Input_parts = CGAL::Iterator_range<std::vector<Input_part>::const_iterator>;
+
+// The records that an output of this format gets: all parts have such ones, of one layout. Else null.
+inline const Input_records* common_records(const Input_parts& parts, const std::string& extension)
+{
+  const Input_records* common = nullptr;
+  for(const Input_part& part : parts) {
+    if(part.first == part.last && parts.size() > 1)
+      continue;
+    const Input_records* const own = part.notes.records.get();
+    if(own == nullptr || !is_same_format(own->format, extension) ||
+       (common != nullptr && (own->is_whole || common->is_whole || own->layout != common->layout)))
+      return nullptr;
+    common = common != nullptr ? common : own;
+  }
+  return common;
+}
+
+// Parts of the cloud with the result, as the formats of --output get them.
 class Output_points {
 public:
-  // extension: of the format, for which colors are those of the shapes, unless the options say otherwise.
-  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, const std::string& extension,
+  // The parts follow each other. extension: of the format.
+  Output_points(const Point_set& points, const Input_parts& parts, const Shapes& shapes, const std::string& extension,
                 const Options& o)
-    : points(points), part(part), shapes(shapes), label_property(o.label_property),
-      intensity(find_property<float>(points, intensity_name)),
-      classification(find_property<std::uint8_t>(points, classification_name)),
-      tolerance(find_property<double>(points, tolerance_name))
+    : points(points), parts(parts), part(part_of(points, parts.begin()->first, std::prev(parts.end())->last)),
+      shapes(shapes), label_property(o.label_property), has_shape_colors(o.colors == "shape"),
+      records(common_records(parts, extension)), intensity(find_property<float>(points, intensity_name)),
+      classification(find_property<std::uint8_t>(points, classification_name))
   {
-    if(o.colors.empty() ? !is_las(extension) : o.colors == "shape")
+    if(o.tolerance_column.empty() || records == nullptr)
+      tolerance = find_property<double>(points, tolerance_name);
+    if(has_shape_colors)
       return;
     colors = find_property<Input_color>(points, color_name);
     has_narrow_colors =
       colors && std::all_of(part.begin(), part.end(), [&](Point_set::Index i) {
         return std::all_of((*colors)[i].begin(), (*colors)[i].end(), [](std::uint16_t c) { return c <= 255; });
       });
+  }
+
+  // f(point, record): of each point, with an empty record where there are none.
+  template <class F>
+  void for_each(const F& f) const
+  {
+    for(const Input_part& p : parts)
+      for(std::size_t i = p.first; i < p.last; ++i)
+        f(*(points.begin() + std::ptrdiff_t(i)),
+          records != nullptr ? (*p.notes.records)[i - p.first] : std::string_view());
   }
 
   std::array<double, 6> place_and_normal(Point_set::Index i) const
@@ -119,6 +149,8 @@ public:
   }
 
   std::int32_t shape(Point_set::Index i) const { return shapes.shape_index(i); }
+
+  bool has_input_colors() const { return colors.has_value(); }
 
   // Of 16 bits, as the input has it.
   Input_color wide_color(Point_set::Index i) const
@@ -139,24 +171,31 @@ public:
   }
 
   const Point_set& points;
-  const Point_part part;
+  const Input_parts parts;
+  const Point_part part; // all of them
   const Shapes& shapes;
   const std::string label_property; // the name of the shape of a point
+  const bool has_shape_colors;      // in place of those of the input
+  const Input_records* records;     // of the first part with points, or null where the output has none
   std::optional<Point_set::Property_map<float>> intensity;
   std::optional<Point_set::Property_map<std::uint8_t>> classification;
-  std::optional<Point_set::Property_map<double>> tolerance; // where points have their own
+  std::optional<Point_set::Property_map<double>> tolerance; // where points have their own that records do not have
 
 private:
   std::optional<Point_set::Property_map<Input_color>> colors; // of the input
   bool has_narrow_colors = false;                             // 8 bits in the lower half of 16
 };
 
-// LAS 1.4 with the shape as extra bytes. Coordinates are rounded to the grid of the input, or to one that is fine for
-// the distances within shapes. Points that are not finite are left out.
-void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
+// LAS with the shape as extra bytes: the records of the input with all that is around them, or LAS 1.4. Coordinates of
+// the latter are rounded to the grid of the input, or to one that is fine for the distances within shapes. Points that
+// are not finite are left out.
+void write_las(std::ostream& out, const Output_points& cloud);
+
+// Writes to the header where the records behind the points begin.
+void set_tail(std::string& header, std::uint64_t first, const Input_records* records);
 
 // The same, compressed by LASzip.
-void write_laz(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
+void write_laz(std::ostream& out, const Output_points& cloud);
 
 // --- A closed surface made of the planes of the shapes.
 
@@ -174,9 +213,8 @@ void write_mesh(std::ostream& out, const Mesh& mesh, const Options& o);
 
 // ---
 
-// The cloud with the shape of each point; frame: of the input.
-void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension,
-                 const std::optional<Las_frame>& frame);
+// The cloud with the shape of each point.
+void write_cloud(std::ostream& out, const Output_points& cloud, const std::string& extension);
 
 // The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, OFF with the color
 // of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.

@@ -115,6 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   program::Input_settings settings;
   settings.sample = 3;
   settings.has_decimal_commas = true;
+  settings.keeps_records = [](const std::string&) { return true; };
   read_with(settings);
   settings = {};
   settings.tolerance = "shape";

@@ -115,19 +115,24 @@ def las_of_each_format(points):
 
 
 def read_las(data):
-    size, first, records, point_format, length = struct.unpack_from("<HIIBH", data, 94)
-    count, = struct.unpack_from("<Q", data, 247)
-    ids, place = [], size
-    for _ in range(records):
+    size, first, number, point_format, length = struct.unpack_from("<HIIBH", data, 94)
+    is_1_4 = data[25] == 4
+    old_count, *old_returns = struct.unpack_from("<6I", data, 107)
+    count, *returns = struct.unpack_from("<16Q", data, 247) if is_1_4 else (old_count, *old_returns)
+    records, place = {}, size
+    for _ in range(number):
         user, record, content = struct.unpack_from("<16sHH", data, place + 2)
-        ids += [record] if user.startswith(b"LASF_Projection") else []
+        records[user.split(b"\0")[0].decode("latin1"), record] = data[place + 54:place + 54 + content]
         place += 54 + content
     assert place == first, "the records do not end where the points begin"
+    assert is_1_4 or old_count == count
     frame = np.frombuffer(data, "<f8", 6, 131)
-    integers = np.frombuffer(data, np.uint8, count * length, first).reshape(count, length)[:, :12].copy().view("<i4")
-    return SimpleNamespace(format=point_format, flag=struct.unpack_from("<H", data, 6)[0] // WKT_BIT % 2, ids=ids,
+    rows = np.frombuffer(data, np.uint8, count * length, first).reshape(count, length)
+    return SimpleNamespace(format=point_format, flag=struct.unpack_from("<H", data, 6)[0] // WKT_BIT % 2, records=records,
+                           ids=[record for user, record in records if user == "LASF_Projection"], returns=returns,
                            scale=frame[:3], offset=frame[3:], bounds=np.frombuffer(data, "<f8", 6, 179).reshape(3, 2),
-                           points=integers * frame[:3] + frame[3:])
+                           header=data[:size], rows=rows, tail=data[first + count * length:],
+                           points=rows[:, :12].copy().view("<i4") * frame[:3] + frame[3:])
 
 
 # --- PCD of all kinds

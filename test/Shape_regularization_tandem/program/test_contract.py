@@ -45,7 +45,7 @@ def test_outputs(p):
     assert set(p.sizes("out.labels")) <= {-1, 0, 1, 2} and p.path("out.labels").stat().st_size == 4 * N
     planes = p.lines("out.planes")
     assert len(planes) == 3 and all(re.fullmatch(f"{NUMBER} {NUMBER} {NUMBER} {NUMBER}", line) for line in planes)
-    assert re.search(rf"binary_little_endian.*vertex {N}\n.*double x\n.*nx\n.*uchar red\n.*property int shape\nend_header",
+    assert re.search(rf"format ascii.*vertex {N}\n.*double x\n.*nx\n.*uchar red\n.*property int shape\nend_header",
                      p.read("a folder/out.ply"), re.DOTALL)
     assert not p.lines("out.obj", f"^(?!(#.*|g shape_[0-2]|v {NUMBER} {NUMBER} {NUMBER}|f( [0-9]+)+)$)")
     assert p.lines("out.obj", "^g ") == ["g shape_0", "g shape_1", "g shape_2"]

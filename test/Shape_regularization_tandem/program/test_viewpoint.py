@@ -31,7 +31,7 @@ def prepare(p):
 @pytest.fixture(scope="module")
 def plain(p):
     """Runs without --oriented: their hashes, and their planes, which others may turn only."""
-    hashes = {"bare": p.hash("bare.xyz E --planes bare.planes --output bare.txt --vg bare.vg",
+    hashes = {"bare": p.hash("bare.xyz E --planes bare.planes --output bare.ply --vg bare.vg",
                              "normals estimated\n.*shapes +3 in"),
               "far": p.hash("far.xyz E --planes far.planes", "shapes +3 in"),
               "outside": p.hash("outside.xyz E --planes outside.planes", "normals given\n")}
@@ -69,8 +69,8 @@ def test_oriented(p, plain, cloud, side, place, arguments):
 @table("arguments", ["bare.xyz --viewpoint 5,6,7", "inside.pcd", "default.pcd", "none.pcd"])
 def test_the_same_without_oriented(p, plain, arguments):
     """Planes, and, where there is no viewpoint, normals"""
-    p(0, plain["bare"][0], f"{arguments} E --planes again.planes --output again.txt --vg again.vg")
-    for file in ["planes"] + ["txt", "vg"] * (arguments in ("default.pcd", "none.pcd")):
+    p(0, plain["bare"][0], f"{arguments} E --planes again.planes --output again.ply --vg again.vg")
+    for file in ["planes"] + ["ply", "vg"] * (arguments in ("default.pcd", "none.pcd")):
         assert p.is_same(f"bare.{file}", f"again.{file}")
 
 
@@ -81,8 +81,8 @@ def test_no_viewpoint(p, plain):
     assert p.is_same("bare.planes", "again.planes")
     for name in ("short", "nan"):
         p(WARNS, rf"\Adetect_planes: warning: {name}.pcd: the VIEWPOINT of the PCD header is not seven finite numbers[^\n]*"
-          r"\n\Z", f"{name}.pcd E --quiet --output again.txt")
-        assert p.is_same("again.txt", "bare.txt")
+          r"\n\Z", f"{name}.pcd E --quiet --output again.ply")
+        assert p.is_same("again.ply", "bare.ply")
     p(1, "--viewpoint is for estimated normals, but the input has normals",
       "outside.xyz E --viewpoint 5,6,7 --planes none.planes")
     assert not p.has("none.planes")
