@@ -24,7 +24,7 @@ struct Shape_column {
   double Row::*number;
 };
 
-constexpr std::array<Shape_column<Shape_facts>, 12> fact_columns = {{{"area", &Shape_facts::area},
+constexpr std::array<Shape_column<Shape_facts>, 13> fact_columns = {{{"area", &Shape_facts::area},
                                                                      {"length", &Shape_facts::length},
                                                                      {"width", &Shape_facts::width},
                                                                      {"lowest", &Shape_facts::lowest},
@@ -35,7 +35,8 @@ constexpr std::array<Shape_column<Shape_facts>, 12> fact_columns = {{{"area", &S
                                                                      {"rms_distance", &Shape_facts::rms_distance},
                                                                      {"mean_distance", &Shape_facts::mean_distance},
                                                                      {"turned_deg", &Shape_facts::turned_deg},
-                                                                     {"shifted", &Shape_facts::shifted}}};
+                                                                     {"shifted", &Shape_facts::shifted},
+                                                                     {"curved", &Shape_facts::curved}}};
 
 constexpr std::array<Shape_column<Plane_uncertainty>, 3> uncertainty_columns = {
   {{"noise", &Plane_uncertainty::noise},

@@ -52,6 +52,9 @@ struct Shape_facts {
   double turned_deg = 0;
   /// how far it has shifted the plane: the distance of the centroid, through which the least-squares plane passes
   double shifted = 0;
+  /// how much of the scatter of the points about a plane a curved surface explains, from 0 to 1: above 1/2, the shape is a
+  /// facet of such a surface, otherwise a face. \ref Tandem_models_facets has the definition.
+  double curved = 0;
 };
 
 } // namespace CGAL::Tandem

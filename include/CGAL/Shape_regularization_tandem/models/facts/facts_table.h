@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 
+#include <CGAL/Shape_regularization_tandem/models/facts/curvature.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -150,12 +152,10 @@ inline Scatter scatter_of(const std::vector<Vector>& points)
 
 // The angle between a plane of this normal and the least-squares plane. There are many where the two smallest eigenvalues
 // are equal, as of points on a line: the plane is as close to the closest of them.
-inline double turned_deg(const Vector& normal, const Scatter& s)
+inline double turned_deg(const Vector& normal, const Eigen_system& e, double count)
 {
-  constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
-  const Eigen_system e = eigen_system(s.matrix);
   const double rounding =
-    e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + s.count * coordinate_rounding2;
+    e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + count * coordinate_rounding2;
   Vector outside = {0, 0, 0};
   for(int i = 1; i < 3; ++i)
     if(e.value[i] > rounding)
@@ -163,8 +163,24 @@ inline double turned_deg(const Vector& normal, const Scatter& s)
   return degrees(std::asin((std::min)(length(outside), 1.)));
 }
 
-inline Shape_facts facts_of_shape(const std::vector<Position>& points, const outlines::Shapes& shapes,
-                                  const outlines::Unit& unit, const Level_frame& level, std::size_t s)
+// In one order, whatever that of the caller is.
+inline std::vector<Vector> points_of_shape(const std::vector<Position>& points, const outlines::Shapes& shapes,
+                                           const outlines::Unit& unit, std::size_t s)
+{
+  std::vector<Vector> result;
+  result.reserve(shapes.points(s).size());
+  for(std::uint32_t i : shapes.points(s)) {
+    const outlines::Kernel::Point_3 p = unit.in(points[i]);
+    result.push_back({p.x(), p.y(), p.z()});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Vector& p, const Vector& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+  return result;
+}
+
+// But for its curvature. The patch has the points, and gets the rest.
+inline Shape_facts facts_of_shape(Shape_patch& patch, const outlines::Shapes& shapes, const outlines::Unit& unit,
+                                  const Level_frame& level, std::size_t s)
 {
   const Coefficients plane = unit.in(shapes.coefficients(s));
   const Vector normal = {plane[0], plane[1], plane[2]};
@@ -172,37 +188,39 @@ inline Shape_facts facts_of_shape(const std::vector<Position>& points, const out
   f.number_of_points = shapes.size(s);
   if(f.number_of_points == 0)
     return f; // of a known plane
-  const outlines::Plane_frame frame(shapes, s, unit.in(points[shapes.points(s)[0]]));
+  const auto point_3 = [](const Vector& p) { return outlines::Kernel::Point_3(p.x, p.y, p.z); };
+  const outlines::Plane_frame frame(shapes, s, point_3(patch.points[0]));
   const auto height = [&](const Vector& p) {
     return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
   };
-  std::vector<Vector> members;
   std::vector<Flat_point> flat;
   double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
-  members.reserve(shapes.points(s).size());
-  flat.reserve(shapes.points(s).size());
-  for(std::uint32_t i : shapes.points(s)) {
-    const outlines::Kernel::Point_3 p = unit.in(points[i]);
-    members.push_back({p.x(), p.y(), p.z()});
-    flat.push_back(frame.flat(p));
-    const double distance = height(members.back());
+  flat.reserve(patch.points.size());
+  for(const Vector& p : patch.points) {
+    flat.push_back(frame.flat(point_3(p)));
+    const double distance = height(p);
     sum += std::fabs(distance);
     squares = std::fma(distance, distance, squares);
-    lowest = (std::min)(lowest, level.height(members.back()));
-    highest = (std::max)(highest, level.height(members.back()));
+    lowest = (std::min)(lowest, level.height(p));
+    highest = (std::max)(highest, level.height(p));
   }
-  const Scatter scatter = scatter_of(members);
-  const Vector centroid = members[0] + scatter.centroid;
-  f.centroid = unit.out(Position{centroid.x, centroid.y, centroid.z});
+  const Scatter scatter = scatter_of(patch.points);
+  const Eigen_system eigen = eigen_system(scatter.matrix);
+  patch.centroid = patch.points[0] + scatter.centroid;
+  patch.normal = eigen.vector[0];
   const Rectangle_sides sides = smallest_rectangle(flat);
+  patch.length = sides.length;
+  patch.spacing =
+    (std::max)(std::sqrt(sides.length * sides.width / scatter.count), sides.length / scatter.count); // or on a line
+  f.centroid = unit.out(Position{patch.centroid.x, patch.centroid.y, patch.centroid.z});
   f.length = unit.out(sides.length);
   f.width = unit.out(sides.width);
   f.lowest = unit.out(lowest);
   f.highest = unit.out(highest);
   f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
   f.mean_distance = unit.out(sum / scatter.count);
-  f.turned_deg = turned_deg(normal, scatter);
-  f.shifted = unit.out(std::fabs(height(centroid)));
+  f.turned_deg = turned_deg(normal, eigen, scatter.count);
+  f.shifted = unit.out(std::fabs(height(patch.centroid)));
   return f;
 }
 
@@ -214,7 +232,14 @@ CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector
   const outlines::Unit unit(points, shapes);
   const Level_frame level(up);
   std::vector<Shape_facts> facts(shapes.number_of_shapes());
-  for_each_in_parallel(facts.size(), [&](std::size_t s) { facts[s] = facts_of_shape(points, shapes, unit, level, s); });
+  std::vector<Shape_patch> patches(facts.size());
+  for_each_in_parallel(facts.size(), [&](std::size_t s) {
+    patches[s].points = points_of_shape(points, shapes, unit, s);
+    facts[s] = facts_of_shape(patches[s], shapes, unit, level, s);
+  });
+  const std::vector<double> curved = Curvature(patches).of_shapes();
+  for(std::size_t s = 0; s < facts.size(); ++s)
+    facts[s].curved = curved[s];
   return facts;
 }
 
