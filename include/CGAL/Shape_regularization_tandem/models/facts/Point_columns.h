@@ -94,7 +94,7 @@ private:
   struct Surroundings {
     std::size_t columns = 0;             // of the shape
     std::size_t covered = 0, raised = 0; // with other points above, and below
-    double headroom = 0, depth = 0;      // to the closest of these
+    double headroom = 0, depth = 0;      // to the closest points, where there are some above and below
     std::size_t beside = 0;              // outside of the shape, next to its border, with points
     std::size_t lower = 0, higher = 0;   // that have no point as high as the shape, or higher ones
     std::size_t ends = 0, walled = 0;    // ends of rows of columns, and those with higher points
@@ -153,17 +153,20 @@ private:
   void add_column(const Span& own, Surroundings& s) const
   {
     double above = HUGE_VAL, below = HUGE_VAL;
+    bool is_covered = false, is_raised = false;
     for_each_span(own.column, [&](const Span& other) {
       if(other.shape == own.shape)
         return;
-      if(other.highest > own.highest + clearance)
-        above = (std::min)(above, (std::max)(other.lowest - own.highest, 0.));
-      if(other.lowest < own.lowest - clearance)
-        below = (std::min)(below, (std::max)(own.lowest - other.highest, 0.));
+      is_covered = is_covered || other.highest > own.highest + clearance;
+      is_raised = is_raised || other.lowest < own.lowest - clearance;
+      if(other.lowest > own.highest)
+        above = (std::min)(above, other.lowest - own.highest);
+      if(other.highest < own.lowest)
+        below = (std::min)(below, own.lowest - other.highest);
     });
     ++s.columns;
-    s.covered += above < HUGE_VAL ? 1 : 0;
-    s.raised += below < HUGE_VAL ? 1 : 0;
+    s.covered += is_covered ? 1 : 0;
+    s.raised += is_raised ? 1 : 0;
     if(above < HUGE_VAL && below < HUGE_VAL) {
       s.headroom += above;
       s.depth += below;

@@ -14,12 +14,10 @@
 
 namespace CGAL::Tandem::internal::facts {
 
-constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
-
 // Coordinates u and v in a plane and a height w above it, in units of `scale`.
 class Height_frame {
 public:
-  // normal: of length 1
+  // normal: of length 1; scale: positive
   Height_frame(const Vector& origin, const Vector& normal, double scale)
     : origin(origin), first(unit(cross(farthest_axis(normal), normal))), second(cross(normal, first)), normal(normal),
       scale(scale)
@@ -30,9 +28,6 @@ public:
     const Vector v = p - origin;
     return {dot(first, v) / scale, dot(second, v) / scale, dot(normal, v) / scale};
   }
-
-  // Of heights, by the rounding of coordinates.
-  double rounding2() const { return coordinate_rounding2 / (scale * scale); }
 
 private:
   Vector origin, first, second, normal;

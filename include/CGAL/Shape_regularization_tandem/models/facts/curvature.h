@@ -22,7 +22,8 @@ namespace CGAL::Tandem::internal::facts {
 
 class Curvature {
 public:
-  explicit Curvature(const std::vector<Shape_patch>& patches) : patches(patches) {}
+  // smallest: the noise that there is at least, in which less than that of the points bends
+  Curvature(const std::vector<Shape_patch>& patches, double smallest) : patches(patches), smallest(smallest) {}
 
   // Of each shape: the share of the squared distances to a plane that a bent surface explains, of the shape alone or with
   // a neighbor, whichever is larger.
@@ -42,7 +43,7 @@ public:
 private:
   static constexpr double smallest_cosine = .5; // of planes whose shapes may have a surface in common: 60 degrees
 
-  static double of_shape(const Shape_patch& patch)
+  double of_shape(const Shape_patch& patch) const
   {
     if(!(patch.length > 0))
       return 0;
@@ -50,19 +51,19 @@ private:
     Surface_fit fit;
     for(const Vector& p : patch.points)
       fit.add(frame(p));
-    return share_of_bend(fit, frame);
+    return share_of_bend(fit, patch.length);
   }
 
   // Of the squared distances to the plane; by chance none, as terms that explain nothing cost as much as they explain.
   // Fewer points than twice the terms of degree 3 tell nothing.
-  static double share_of_bend(const Surface_fit& fit, const Height_frame& frame)
+  double share_of_bend(const Surface_fit& fit, double scale) const
   {
     const double n = fit.number_of_points();
     if(n < 2 * Surface_fit::terms)
       return 0;
     const std::array<double, 3> rests = fit.rests();
-    const double rounding = n * frame.rounding2();
-    return (std::max)(1 - (rests[1] + rounding) / (n - 6) * ((n - 3) / (rests[0] + rounding)), 0.);
+    const double least = n * (smallest / scale) * (smallest / scale);
+    return (std::max)(1 - (rests[1] + least) / (n - 6) * ((n - 3) / (rests[0] + least)), 0.);
   }
 
   // 0, unless one surface of degree 3 is closer to the points of both than their two planes are: those of the smaller
@@ -93,22 +94,23 @@ private:
     for(; p != larger.points.end() && p->x <= high.x + reach; ++p)
       if(is_near(p->y, low.y, high.y) && is_near(p->z, low.z, high.z))
         of_larger.add(frame(*p));
-    return share_of_common_bend(of_smaller, of_larger, frame);
+    return share_of_common_bend(of_smaller, of_larger, 2 * smaller.length);
   }
 
-  static double share_of_common_bend(const Surface_fit& first, const Surface_fit& second, const Height_frame& frame)
+  double share_of_common_bend(const Surface_fit& first, const Surface_fit& second, double scale) const
   {
     Surface_fit both = first;
     both += second;
     const double n = both.number_of_points();
     if((std::min)(first.number_of_points(), second.number_of_points()) < Surface_fit::terms)
       return 0;
-    const double two_planes = first.rests()[0] + second.rests()[0] + n * frame.rounding2();
+    const double two_planes = first.rests()[0] + second.rests()[0];
     const bool is_bent = both.rests()[2] / (n - Surface_fit::terms) < two_planes / (n - 6);
-    return is_bent ? share_of_bend(both, frame) : 0;
+    return is_bent ? share_of_bend(both, scale) : 0;
   }
 
   const std::vector<Shape_patch>& patches;
+  double smallest;
 };
 
 } // namespace CGAL::Tandem::internal::facts

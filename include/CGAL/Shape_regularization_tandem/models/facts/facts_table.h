@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The facts of shapes, but for their areas.
+// The facts of shapes.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 
+#include <CGAL/Shape_regularization_tandem/models/facts/Point_columns.h>
 #include <CGAL/Shape_regularization_tandem/models/facts/curvature.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
@@ -43,6 +44,9 @@ public:
   }
 
   double height(const Vector& p) const { return dot(up, p); }
+
+  // Of this width.
+  Point_columns columns(double width) const { return Point_columns(east, north, up, width); }
 
   // Of a plane whose outward unit normal this is. Planes that were made level or vertical are so up to rounding, which
   // must not choose their azimuth.
@@ -154,6 +158,7 @@ inline Scatter scatter_of(const std::vector<Vector>& points)
 // are equal, as of points on a line: the plane is as close to the closest of them.
 inline double turned_deg(const Vector& normal, const Eigen_system& e, double count)
 {
+  constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
   const double rounding =
     e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + count * coordinate_rounding2;
   Vector outside = {0, 0, 0};
@@ -163,84 +168,135 @@ inline double turned_deg(const Vector& normal, const Eigen_system& e, double cou
   return degrees(std::asin((std::min)(length(outside), 1.)));
 }
 
-// In one order, whatever that of the caller is.
-inline std::vector<Vector> points_of_shape(const std::vector<Position>& points, const outlines::Shapes& shapes,
-                                           const outlines::Unit& unit, std::size_t s)
-{
-  std::vector<Vector> result;
-  result.reserve(shapes.points(s).size());
-  for(std::uint32_t i : shapes.points(s)) {
-    const outlines::Kernel::Point_3 p = unit.in(points[i]);
-    result.push_back({p.x(), p.y(), p.z()});
-  }
-  std::sort(result.begin(), result.end(),
-            [](const Vector& p, const Vector& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
-  return result;
-}
+class Facts_maker {
+public:
+  // up: of length 1; areas: the outlines of the shapes
+  Facts_maker(const std::vector<Position>& points, const Shapes_data& data, const Vector& up,
+              const outlines::Polygon_table& areas)
+    : points(points), areas(areas), shapes(data), unit(points, shapes), level(up)
+  {}
 
-// But for its curvature. The patch has the points, and gets the rest.
-inline Shape_facts facts_of_shape(Shape_patch& patch, const outlines::Shapes& shapes, const outlines::Unit& unit,
-                                  const Level_frame& level, std::size_t s)
-{
-  const Coefficients plane = unit.in(shapes.coefficients(s));
-  const Vector normal = {plane[0], plane[1], plane[2]};
-  Shape_facts f = level.facts_of_plane(shapes.is_flipped(s) ? -normal : normal);
-  f.number_of_points = shapes.size(s);
-  if(f.number_of_points == 0)
-    return f; // of a known plane
-  const auto point_3 = [](const Vector& p) { return outlines::Kernel::Point_3(p.x, p.y, p.z); };
-  const outlines::Plane_frame frame(shapes, s, point_3(patch.points[0]));
-  const auto height = [&](const Vector& p) {
-    return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
-  };
-  std::vector<Flat_point> flat;
-  double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
-  flat.reserve(patch.points.size());
-  for(const Vector& p : patch.points) {
-    flat.push_back(frame.flat(point_3(p)));
-    const double distance = height(p);
-    sum += std::fabs(distance);
-    squares = std::fma(distance, distance, squares);
-    lowest = (std::min)(lowest, level.height(p));
-    highest = (std::max)(highest, level.height(p));
+  std::vector<Shape_facts> facts() const
+  {
+    std::vector<Shape_facts> result(shapes.number_of_shapes());
+    std::vector<Shape_patch> patches(result.size());
+    for_each_in_parallel(result.size(), [&](std::size_t s) {
+      patches[s].points = points_of(s);
+      result[s] = facts_of(s, patches[s]);
+    });
+    constexpr double tolerances = .01; // less is nothing, as what rounding leaves of points without noise
+    const std::vector<double> curved =
+      Curvature(patches, tolerances * unit.in(shapes.parameters().maximum_distance)).of_shapes();
+    for(std::size_t s = 0; s < result.size(); ++s)
+      result[s].curved = curved[s];
+    classify(patches, result);
+    return result;
   }
-  const Scatter scatter = scatter_of(patch.points);
-  const Eigen_system eigen = eigen_system(scatter.matrix);
-  patch.centroid = patch.points[0] + scatter.centroid;
-  patch.normal = eigen.vector[0];
-  const Rectangle_sides sides = smallest_rectangle(flat);
-  patch.length = sides.length;
-  patch.spacing =
-    (std::max)(std::sqrt(sides.length * sides.width / scatter.count), sides.length / scatter.count); // or on a line
-  f.centroid = unit.out(Position{patch.centroid.x, patch.centroid.y, patch.centroid.z});
-  f.length = unit.out(sides.length);
-  f.width = unit.out(sides.width);
-  f.lowest = unit.out(lowest);
-  f.highest = unit.out(highest);
-  f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
-  f.mean_distance = unit.out(sum / scatter.count);
-  f.turned_deg = turned_deg(normal, eigen, scatter.count);
-  f.shifted = unit.out(std::fabs(height(patch.centroid)));
-  return f;
-}
+
+private:
+  // In one order, whatever that of the caller is.
+  std::vector<Vector> points_of(std::size_t s) const
+  {
+    std::vector<Vector> result;
+    result.reserve(shapes.points(s).size());
+    for(std::uint32_t i : shapes.points(s))
+      result.push_back(vector_of(points[i]));
+    std::sort(result.begin(), result.end(),
+              [](const Vector& p, const Vector& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+    return result;
+  }
+
+  // But for its curvature and class. The patch has the points, and gets the rest.
+  Shape_facts facts_of(std::size_t s, Shape_patch& patch) const
+  {
+    const Coefficients plane = unit.in(shapes.coefficients(s));
+    const Vector normal = {plane[0], plane[1], plane[2]};
+    Shape_facts f = level.facts_of_plane(shapes.is_flipped(s) ? -normal : normal);
+    f.number_of_points = shapes.size(s);
+    if(f.number_of_points == 0)
+      return f; // of a known plane
+    const auto height = [&](const Vector& p) {
+      return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
+    };
+    double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+    for(const Vector& p : patch.points) {
+      const double distance = height(p);
+      sum += std::fabs(distance);
+      squares = std::fma(distance, distance, squares);
+      lowest = (std::min)(lowest, level.height(p));
+      highest = (std::max)(highest, level.height(p));
+    }
+    const Scatter scatter = scatter_of(patch.points);
+    const Eigen_system eigen = eigen_system(scatter.matrix);
+    patch.centroid = patch.points[0] + scatter.centroid;
+    patch.normal = eigen.vector[0];
+    const Rectangle_sides sides = rectangle_of(s, patch.points);
+    patch.length = sides.length;
+    patch.spacing =
+      (std::max)(std::sqrt(sides.length * sides.width / scatter.count), sides.length / scatter.count); // or on a line
+    f.centroid = unit.out(Position{patch.centroid.x, patch.centroid.y, patch.centroid.z});
+    f.length = unit.out(sides.length);
+    f.width = unit.out(sides.width);
+    f.area = (std::min)(areas.areas[s], f.length * f.width); // equal up to rounding, if the outline is a rectangle
+    f.lowest = unit.out(lowest);
+    f.highest = unit.out(highest);
+    f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
+    f.mean_distance = unit.out(sum / scatter.count);
+    f.turned_deg = turned_deg(normal, eigen, scatter.count);
+    f.shifted = unit.out(std::fabs(height(patch.centroid)));
+    return f;
+  }
+
+  // Around points and outline, which may be wider than the points where it ends at other shapes.
+  Rectangle_sides rectangle_of(std::size_t s, const std::vector<Vector>& members) const
+  {
+    const auto point_3 = [](const Vector& p) { return outlines::Kernel::Point_3(p.x, p.y, p.z); };
+    const outlines::Plane_frame frame(shapes, s, point_3(members[0]));
+    std::vector<Flat_point> flat;
+    flat.reserve(members.size());
+    for(const Vector& p : members)
+      flat.push_back(frame.flat(point_3(p)));
+    for(const Indexed_polygon& polygon : areas.polygons[s])
+      for(std::uint32_t corner : polygon.outer)
+        flat.push_back(frame.flat(unit.in(outlines::point_at(areas.points[corner]))));
+    return smallest_rectangle(flat);
+  }
+
+  // All points count, of shapes or not.
+  void classify(const std::vector<Shape_patch>& patches, std::vector<Shape_facts>& facts) const
+  {
+    constexpr double spacings = 4; // of a column: fewer would miss what is above
+    std::vector<double> spacing;
+    for(const Shape_patch& patch : patches)
+      if(patch.spacing > 0)
+        spacing.push_back(patch.spacing);
+    if(spacing.empty())
+      return;
+    Point_columns columns = level.columns(spacings * outlines::median(spacing));
+    for(std::size_t i = 0; i < points.size(); ++i)
+      columns.add(vector_of(points[i]), shapes.shape_index(i));
+    columns.sort();
+    for_each_in_parallel(facts.size(), [&](std::size_t s) {
+      if(facts[s].number_of_points > 0)
+        facts[s].shape_class = columns.class_of(s, facts[s].dip_deg);
+    });
+  }
+
+  Vector vector_of(const Position& p) const { return {unit.in(p[0]), unit.in(p[1]), unit.in(p[2])}; }
+
+  const std::vector<Position>& points;
+  const outlines::Polygon_table& areas;
+  outlines::Shapes shapes;
+  outlines::Unit unit;
+  Level_frame level;
+};
 
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
-                                                               const Shapes_data& data, const Vector& up)
+                                                               const Shapes_data& data, const Vector& up,
+                                                               const outlines::Polygon_table& areas)
 {
-  const outlines::Shapes shapes(data);
-  const outlines::Unit unit(points, shapes);
-  const Level_frame level(up);
-  std::vector<Shape_facts> facts(shapes.number_of_shapes());
-  std::vector<Shape_patch> patches(facts.size());
-  for_each_in_parallel(facts.size(), [&](std::size_t s) {
-    patches[s].points = points_of_shape(points, shapes, unit, s);
-    facts[s] = facts_of_shape(patches[s], shapes, unit, level, s);
-  });
-  const std::vector<double> curved = Curvature(patches).of_shapes();
-  for(std::size_t s = 0; s < facts.size(); ++s)
-    facts[s].curved = curved[s];
-  return facts;
+  return Facts_maker(points, data, up, areas).facts();
 }
 
 } // namespace CGAL::Tandem::internal::facts
