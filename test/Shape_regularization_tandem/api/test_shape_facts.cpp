@@ -193,7 +193,7 @@ std::vector<Shape_facts> facts_of(const std::vector<Patch>& patches, const Point
   data.coplanar_group = data.parallel_group;
   data.is_flipped.resize(data.size.size());
   data.uncertainty.resize(data.size.size());
-  data.shape_of = labels;
+  data.shape_of = std::move(labels);
   data.parameters.maximum_distance = .2;
   return CGAL::Tandem::shape_facts(Shapes(data), all);
 }

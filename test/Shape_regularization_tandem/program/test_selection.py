@@ -96,7 +96,7 @@ test_bad_usage = cases([(pattern, f"{PARTS} {arguments}") for pattern, arguments
       for value in (0, -2, "nan", 1e300)),
     ("--minimum-area", "--minimum-area wide"),
     *((f"--class is '{names}', must be names .*: any of floor, ceiling, wall, roof, ground, slanted", f"--class '{names}'")
-      for names in ("door", "wall,", "wall;roof", "", "2")),
+      for names in ("door", "wall,", "wall;roof", "2")),
     *((f"--near-direction is '{value}', must be X,Y,Z, not all 0, vertical or horizontal", f"--near-direction='{value}'")
       for value in ("up", "0,0", "0,0,0", "0,0,1,91", "0,0,1,-1", "0,0,nan", "0,0,1,2,3", "vertical,up", "vertical,",
                     "vertical,1,2", "vertical,-1", "0,0,1,")),

@@ -19,8 +19,8 @@ enum class Shape_class {
   floor,   ///< level, under something
   ceiling, ///< level, above something, and under nothing closer than that
   wall,    ///< upright
-  roof,    ///< under nothing, and higher than its surroundings
-  ground,  ///< level or sloping, neither above nor under something, nor higher than its surroundings
+  roof,    ///< under nothing, and higher than what is around it
+  ground,  ///< level or sloping, neither above nor under something, nor higher than what is around it
   slanted  ///< neither level nor upright, and none of these
 };
 
@@ -81,7 +81,7 @@ struct Shape_facts {
   /// how much of the scatter of the points about a plane a curved surface explains, from 0 to 1: above 1/2, the shape is a
   /// facet of such a surface, otherwise a face. \ref Tandem_models_facets has the definition.
   double curved = 0;
-  /// what the shape is, by its angle to the level and by the points above, below and beside it
+  /// what the shape is, by its angle to the level and by the shapes above, below and around it
   Shape_class shape_class = Shape_class::none;
 };
 

@@ -21,7 +21,7 @@
 
 namespace CGAL::Tandem::internal::facts {
 
-// The points of a cloud in vertical columns, which are squares as seen from above.
+// The points of shapes in vertical columns, which are squares as seen from above.
 class Point_columns {
 public:
   // x, y: horizontal; width: of a column
@@ -29,17 +29,17 @@ public:
     : x(x), y(y), up(up), width(width), clearance(2 * width)
   {}
 
-  // A point of a shape, -1 of none, before the first question. Points that are too far away are left out.
-  void add(const Vector& p, int shape)
+  // A point of a shape, before the first question. Points that are too far away are left out.
+  void add(const Vector& p, std::size_t shape)
   {
     constexpr double largest = 1 << 30;
     const double i = std::floor(dot(x, p) / width), j = std::floor(dot(y, p) / width), height = dot(up, p);
-    if(std::fabs(i) <= largest && std::fabs(j) <= largest && std::isfinite(height))
+    if(std::fabs(i) <= largest && std::fabs(j) <= largest)
       spans.push_back({{int(i), int(j)}, shape, height, height});
   }
 
   // Joins the points of a shape in a column.
-  void sort()
+  void sort(std::size_t number_of_shapes)
   {
     std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) {
       return std::tie(s.column, s.shape, s.lowest) < std::tie(t.column, t.shape, t.lowest);
@@ -51,23 +51,23 @@ public:
       else
         spans[++last] = spans[i];
     spans.resize((std::min)(spans.size(), last + 1));
+    of_shape.resize(number_of_shapes);
     for(std::size_t i = 0; i < spans.size(); ++i)
-      if(spans[i].shape >= 0) {
-        of_shape.resize((std::max)(of_shape.size(), std::size_t(spans[i].shape) + 1));
-        of_shape[std::size_t(spans[i].shape)].push_back(i);
-      }
+      of_shape[spans[i].shape].push_back(i);
   }
 
-  // Of a shape with points, whose plane has this angle with the level.
+  // Of a shape whose plane has this angle with the level.
   Shape_class class_of(std::size_t shape, double dip_deg) const
   {
-    constexpr double level_deg = 10, steepest_ground_deg = 40;
+    constexpr double level_deg = 10, steepest_ground_deg = 25;
     if(dip_deg >= 90 - level_deg)
       return Shape_class::wall;
+    if(of_shape[shape].empty())
+      return Shape_class::none;
     const Surroundings s = surroundings(shape);
     const bool is_level = dip_deg <= level_deg;
     const bool is_covered = 2 * s.covered > s.columns, has_floor = 2 * s.raised > s.columns;
-    const bool is_top = s.lower > s.higher && 4 * s.lower > s.beside;
+    const bool is_top = s.lower > s.walled && 4 * s.lower >= s.ends;
     if(is_covered)
       return !is_level                           ? Shape_class::slanted
              : has_floor && s.headroom < s.depth ? Shape_class::ceiling
@@ -76,7 +76,7 @@ public:
       return is_level && !is_top ? Shape_class::ceiling : Shape_class::roof;
     if(is_top)
       return Shape_class::roof;
-    if(is_level && s.ends > 0 && 4 * s.walled >= 3 * s.ends)
+    if(is_level && 4 * s.walled >= 3 * s.ends)
       return Shape_class::floor;
     return dip_deg <= steepest_ground_deg ? Shape_class::ground : Shape_class::slanted;
   }
@@ -86,7 +86,7 @@ private:
 
   struct Span {
     Column column;
-    int shape;
+    std::size_t shape;
     double lowest, highest;
   };
 
@@ -95,9 +95,8 @@ private:
     std::size_t columns = 0;             // of the shape
     std::size_t covered = 0, raised = 0; // with other points above, and below
     double headroom = 0, depth = 0;      // to the closest points, where there are some above and below
-    std::size_t beside = 0;              // outside of the shape, next to its border, with points
-    std::size_t lower = 0, higher = 0;   // that have no point as high as the shape, or higher ones
-    std::size_t ends = 0, walled = 0;    // ends of rows of columns, and those with higher points
+    std::size_t ends = 0;                // of rows of columns along both axes
+    std::size_t walled = 0, lower = 0;   // with higher points there; else with lower points only beyond
   };
 
   template <class Function>
@@ -113,7 +112,7 @@ private:
   const Span* span_of(std::size_t shape, const Column& column) const
   {
     const Span* result = nullptr;
-    for_each_span(column, [&](const Span& s) { result = s.shape == int(shape) ? &s : result; });
+    for_each_span(column, [&](const Span& s) { result = s.shape == shape ? &s : result; });
     return result;
   }
 
@@ -137,8 +136,6 @@ private:
         auto& [first, last] = rows[axis].emplace(own.column[axis], std::pair(along, along)).first->second;
         first = (std::min)(first, along);
         last = (std::max)(last, along);
-        for(int step : {-beside, beside})
-          add_beside(own, axis, step, s);
       }
     }
     for(std::size_t axis : {0, 1})
@@ -173,30 +170,22 @@ private:
     }
   }
 
-  void add_beside(const Span& own, std::size_t axis, int step, Surroundings& s) const
-  {
-    Column column = own.column;
-    column[axis] += step;
-    const double highest = highest_in(column);
-    if(highest == -HUGE_VAL || span_of(std::size_t(own.shape), column) != nullptr)
-      return;
-    ++s.beside;
-    s.lower += highest < own.lowest - clearance ? 1 : 0;
-    s.higher += highest > own.highest + clearance ? 1 : 0;
-  }
-
   // Of the row of this number along the other axis.
   void add_end(std::size_t shape, std::size_t axis, int row, int end, int step, Surroundings& s) const
   {
     Column column;
     column[axis] = row;
     column[1 - axis] = end;
-    const double height = span_of(shape, column)->highest + clearance;
-    bool is_walled = false;
-    for(int i = 0; i <= beside; ++i, column[1 - axis] += step)
-      is_walled = is_walled || highest_in(column) > height;
+    const Span own = *span_of(shape, column);
+    double highest = -HUGE_VAL, beyond = -HUGE_VAL;
+    for(int i = 0; i <= beside; ++i, column[1 - axis] += step) {
+      beyond = highest_in(column);
+      highest = (std::max)(highest, beyond);
+    }
+    const bool is_walled = highest > own.highest + clearance;
     ++s.ends;
     s.walled += is_walled ? 1 : 0;
+    s.lower += !is_walled && beyond != -HUGE_VAL && beyond < own.lowest - clearance ? 1 : 0;
   }
 
   static constexpr int beside = 2; // columns away: behind a wall at the border

@@ -262,7 +262,6 @@ private:
     return smallest_rectangle(flat);
   }
 
-  // All points count, of shapes or not.
   void classify(const std::vector<Shape_patch>& patches, std::vector<Shape_facts>& facts) const
   {
     constexpr double spacings = 4; // of a column: fewer would miss what is above
@@ -273,9 +272,10 @@ private:
     if(spacing.empty())
       return;
     Point_columns columns = level.columns(spacings * outlines::median(spacing));
-    for(std::size_t i = 0; i < points.size(); ++i)
-      columns.add(vector_of(points[i]), shapes.shape_index(i));
-    columns.sort();
+    for(std::size_t s = 0; s < patches.size(); ++s)
+      for(const Vector& p : patches[s].points)
+        columns.add(p, s);
+    columns.sort(patches.size());
     for_each_in_parallel(facts.size(), [&](std::size_t s) {
       if(facts[s].number_of_points > 0)
         facts[s].shape_class = columns.class_of(s, facts[s].dip_deg);
