@@ -220,7 +220,9 @@ struct Options {
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
   std::optional<std::array<double, 3>> up; // where it is not given, from the detection on
   std::optional<long long> largest;        // shapes that are selected
-  std::optional<double> minimum_area, minimum_extent;
+  std::optional<double> minimum_area, minimum_extent, minimum_width;
+  bool is_flat_only = false;              // no facets of curved surfaces
+  std::vector<std::string> shape_classes; // of the shapes that are selected; all, if there is none
   std::optional<Direction_choice> near_direction;
   std::string backend = "auto";
   bool has_local_distances = false; // of --maximum-distance auto-local, or of auto where the noise varies

@@ -115,6 +115,17 @@ inline std::vector<int> parse_classes(const std::string& text)
   return classes;
 }
 
+// The value of --class: names of classes with commas between them.
+inline std::vector<std::string> parse_shape_classes(const std::string& text)
+{
+  const std::vector<std::string> known = {"floor", "ceiling", "wall", "roof", "ground", "slanted"};
+  const std::vector<std::string> names = parts_of(text);
+  for(const std::string& name : names)
+    refuse_if(!is_in(name, known), "--class is '", text, "', must be names with commas between them: any of ",
+              boost::join(known, ", "));
+  return names;
+}
+
 // The value of --crop.
 inline Box parse_box(const std::string& text)
 {
@@ -358,6 +369,7 @@ inline void check(const Options& o, const Built_with& built)
             "--upright is for detected planes, but --planes-from detects nothing: pass only one of them");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
+  check_positive("minimum-width", o.minimum_width);
   check_tolerances(o);
   // A file of that name would surprise those who know - as standard input or output.
   refuse_if(is_in("-", o.inputs), "INPUT is '-', must be the name of a file");
@@ -382,6 +394,9 @@ inline void check_ranks(const Options& o)
   needs_all(!o.planes_from.empty(), "planes-from");
   needs_all(o.minimum_area.has_value(), "minimum-area");
   needs_all(o.minimum_extent.has_value(), "minimum-extent");
+  needs_all(o.minimum_width.has_value(), "minimum-width");
+  needs_all(o.is_flat_only, "flat-only");
+  needs_all(!o.shape_classes.empty(), "class");
   for(const Output_option& option : output_options())
     needs_all(option.needs_all_points && !(o.*option.path).empty(), option.name);
   refuse_if(o.backend == "cuda" && !has_mpi_cuda,

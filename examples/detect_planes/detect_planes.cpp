@@ -32,26 +32,32 @@ inline std::string selection_of(const Options& o)
   add("--largest", o.largest);
   add("--minimum-area", o.minimum_area);
   add("--minimum-extent", o.minimum_extent);
+  add("--minimum-width", o.minimum_width);
+  text << (o.is_flat_only ? "--flat-only " : "");
+  text << (o.shape_classes.empty() ? "" : "--class " + boost::join(o.shape_classes, ",") + ' ');
   if(o.near_direction)
     text << "--near-direction " << o.near_direction->text << ' ';
   return text.str().substr(0, (std::max)(text.str().size(), std::size_t(1)) - 1);
 }
 
-// Notes in the run how many there were; a warning where none is left.
-inline void select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
-                   std::vector<std::string>& warnings)
+// Notes in the run how many there were; a warning where none is left. Returns the shapes of which some were selected, or
+// nothing.
+inline std::optional<Shapes> select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
+                                    std::vector<std::string>& warnings)
 {
   run.selection = selection_of(o);
   if(run.selection.empty())
-    return;
+    return std::nullopt;
   run.detected_shapes = shapes.number_of_shapes();
   run.detected_points = shapes.statistics().number_of_assigned_points;
   if(o.is_by_plane)
     shapes = joined_shapes(points, shapes);
+  std::optional<Shapes> all = shapes;
   shapes = selected_shapes(shapes, points, o);
   if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
     warnings.push_back(
       sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have no shapes"));
+  return all;
 }
 
 // --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
@@ -257,8 +263,9 @@ private:
     open(o.lines,
          [this](std::ostream& out, const Described_shapes& d, const Run& run) { write_lines(out, d, run, options); });
     open(o.view, &write_view);
-    open(o.report,
-         [](std::ostream& out, const Described_shapes& d, const Run& run) { write_report(out, d.shapes, run); });
+    open(o.report, [](std::ostream& out, const Described_shapes& d, const Run& run) {
+      write_report(out, d.shapes, run, run.processes == 1 ? d.surface() : Json()); // else points are elsewhere
+    });
     if(!o.mesh.empty())
       mesh.emplace(o.mesh);
   }
@@ -419,12 +426,13 @@ void run(Options o, Processes& processes, Made_folders& folders)
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, processes);
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run.tolerance);
   warnings.emplace_back(sides.warning());
-  processes.together([&] { select(cloud.points, o, run, *shapes, warnings); });
+  std::optional<Shapes> all; // before the selection
+  processes.together([&] { all = select(cloud.points, o, run, *shapes, warnings); });
   run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
   run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
   add_warnings(warnings, processes.is_first(), run);
   hidden.show();
-  const Described_shapes described(cloud.points, sides(*shapes), *o.up);
+  const Described_shapes described(cloud.points, sides(*shapes), *o.up, all ? &*all : nullptr);
   processes.together([&] { write_files(*files, described, o, processes.is_first(), run); });
   processes.together([&] {
     first_signal_removes = 0; // from here on, all files get their names

@@ -119,7 +119,13 @@ inline void add_selection_options(po::options_description& all, Options& o)
   add(group, "minimum-area", number_option(o.minimum_area, "A"),
       "shapes whose points cover at least this area, in squared units of the input");
   add(group, "minimum-extent", number_option(o.minimum_extent, "L"),
-      "shapes of at least this length: the longer side of the smallest rectangle around the points");
+      "shapes of at least this length: the longer side of the smallest rectangle around points and outline");
+  add(group, "minimum-width", number_option(o.minimum_width, "L"), "shapes of at least this width: the shorter side");
+  add(group, "flat-only", po::bool_switch(&o.is_flat_only),
+      "faces only: no shapes that are facets of a curved surface, whose value 'curved' is above 0.5");
+  add(group, "class",
+      parsed_option("NAMES", [&o](const std::string& text) { o.shape_classes = parse_shape_classes(text); }),
+      "shapes of these classes, with commas between them: floor, ceiling, wall, roof, ground, slanted. Upward is --up");
   add(group, "near-direction",
       parsed_option("DIRECTION", [&o](const std::string& text) { o.near_direction = parse_near_direction(text); }),
       "shapes with a normal within 10 degrees of X,Y,Z or its opposite; 'vertical': walls; 'horizontal': floors and "
@@ -162,8 +168,9 @@ inline void add_result_options(po::options_description& group, Options& o, const
   add(group, "shapes", text_option(o.shapes, "FILE"),
       "a table .csv with a line for each shape: points, plane, centroid, area, length and width, lowest and highest "
       "point, "
-      "tilt, dip and azimuth, distances, how far the plane is from the fit of the points, uncertainty, parallel and "
-      "coplanar group. Upward is --up");
+      "tilt, dip and azimuth, distances, how far the plane is from the fit of the points, whether the shape is a facet "
+      "of a curved surface, uncertainty, parallel and coplanar group, and class. What a shape has not is blank. Upward "
+      "is --up");
   add(group, "by-plane", po::bool_switch(&o.is_by_plane),
       "join coplanar shapes: all outputs have one shape for each plane");
   add(

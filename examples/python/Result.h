@@ -298,16 +298,24 @@ inline void add_values(Class& result)
 
 // --- The table of the shapes: PlanarShapes.table()
 
-// number_of(s): of each shape, as a new array of int64 or float64.
+// number_of(s): of each shape, as a new array of int64, float64 or, of words, str.
 template <class F>
 py::array array_by_shape(const Result& result, const F& number_of)
 {
-  using Number = std::conditional_t<std::is_integral_v<decltype(number_of(0))>, std::int64_t, double>;
-  py::array_t<Number> array(py::ssize_t(result.size()));
-  Number* to = array.mutable_data();
-  for(std::size_t s = 0; s < result.size(); ++s)
-    *to++ = Number(number_of(s));
-  return array;
+  using Value = decltype(number_of(0));
+  if constexpr(std::is_same_v<Value, const char*>) {
+    py::list words;
+    for(std::size_t s = 0; s < result.size(); ++s)
+      words.append(number_of(s));
+    return py::module_::import("numpy").attr("array")(words, "str");
+  } else {
+    using Number = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
+    py::array_t<Number> array(py::ssize_t(result.size()));
+    Number* to = array.mutable_data();
+    for(std::size_t s = 0; s < result.size(); ++s)
+      *to++ = Number(number_of(s));
+    return array;
+  }
 }
 
 // f(points), where these are of the detection. Other threads of Python run meanwhile. The array of points is the caller's,
@@ -345,13 +353,14 @@ inline void add_table(Class& result)
   result.def(
     "table", &table,
     "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row for each shape, as detect_planes --shapes\n"
-    "writes it. Integers are int64, other numbers float64; lengths are in units of the points.\n\n"
+    "writes it. Integers are int64, other numbers float64; lengths are in units of the points. What a shape has not "
+    "is\n"
+    "nan, as the area of one with too few points for an outline.\n\n"
     "shape, points            the shape, and the number of its points\n"
     "a, b, c, d               its plane\n"
     "x, y, z                  the mean of its points\n"
-    "area                     the area of the outline of its points; 0 for too few points\n"
-    "length, width            the sides of the smallest rectangle around its points in the plane, the longer side "
-    "first\n"
+    "area                     the area of the outline of its points\n"
+    "length, width            the sides of the smallest rectangle around points and outline, the longer side first\n"
     "lowest, highest          smallest and largest height of its points. Upward is z, or symmetry_direction\n"
     "tilt_deg                 angle between upward and the normal, in [0, 180]; with given normals, the normal of\n"
     "                         the side that is_flipped tells\n"
@@ -362,6 +371,8 @@ inline void add_table(Class& result)
     "turned_deg, shifted      angle and distance between the plane and the least-squares plane of the points\n"
     "noise, offset_deviation, angle_deviation_deg\n"
     "                         as in uncertainties; the last one is angle_deg\n"
+    "curved                   whether the shape is a facet of a curved surface, in [0, 1]: it is above 0.5\n"
+    "class                    floor, ceiling, wall, roof, ground or slanted\n"
     "parallel_group, coplanar_group\n\n"
     "The function reads the array of points of detect_planes() again; the result keeps that array alive. Raises "
     "ValueError\n"

@@ -218,7 +218,8 @@ inline Json uncertainties(const Shapes& shapes)
 
 inline std::string hash_text(const Run& run) { return text_of(std::hex, std::setw(16), std::setfill('0'), run.hash); }
 
-inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run)
+// surface: of Described_shapes
+inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run, const Json& surface)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   Json json = {{"input", utf8(run.input)},       {"normals", run.normals},   {"backend", s.backend},
@@ -245,6 +246,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                          {"detected_shapes", run.detected_shapes},
                          {"detected_points", run.detected_points}};
   add_figures(s, run, json);
+  json["surface"] = surface;
   json["relations"] = {{"parallel_groups", members_of_groups(shapes, &Shapes::parallel_group)},
                        {"orthogonal_pairs", shapes.orthogonal_groups()},
                        {"coplanar_groups", members_of_groups(shapes, &Shapes::coplanar_group)},

@@ -17,13 +17,37 @@ Shapes joined_shapes(const Point_set& points, const Shapes& shapes)
   return CGAL::Tandem::join_coplanar_shapes(shapes, points);
 }
 
-Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Options& o)
+namespace {
+
+auto upward(const std::array<double, 3>& up)
+{
+  return CGAL::Tandem::parameters::symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2]));
+}
+
+// By size, curvature and class.
+Shapes measured_shapes(const Shapes& shapes, const Point_set& points, const Options& o)
+{
+  if(!o.minimum_area && !o.minimum_extent && !o.minimum_width && !o.is_flat_only && o.shape_classes.empty())
+    return shapes;
+  const auto facts = CGAL::Tandem::shape_facts(shapes, points, upward(*o.up));
+  std::vector<std::size_t> kept;
+  for(std::size_t s = 0; s < facts.size(); ++s)
+    if(facts[s].area >= o.minimum_area.value_or(0) && facts[s].length >= o.minimum_extent.value_or(0) &&
+       facts[s].width >= o.minimum_width.value_or(0) &&
+       !(o.is_flat_only && facts[s].curved > tandem_examples::most_curved_face) &&
+       (o.shape_classes.empty() || is_in(CGAL::Tandem::shape_class_name(facts[s].shape_class), o.shape_classes)))
+      kept.push_back(s);
+  return CGAL::Tandem::select_shapes(shapes, kept);
+}
+
+} // namespace
+
+Shapes selected_shapes(const Shapes& all, const Point_set& points, const Options& o)
 {
   namespace np = CGAL::Tandem::parameters;
-  const std::size_t all = (std::max)(shapes.number_of_shapes(), std::size_t(1));
-  const std::size_t number = o.largest ? std::size_t(*o.largest) : all;
-  const auto list =
-    np::largest(number).minimum_area(o.minimum_area.value_or(0)).minimum_extent(o.minimum_extent.value_or(0));
+  const Shapes shapes = measured_shapes(all, points, o);
+  const std::size_t largest = (std::max)(shapes.number_of_shapes(), std::size_t(1));
+  const auto list = np::largest(o.largest ? std::size_t(*o.largest) : largest);
   if(!o.near_direction)
     return CGAL::Tandem::select_shapes(shapes, points, list);
   const Direction_choice& choice = *o.near_direction;
@@ -46,15 +70,38 @@ const Json& Described_shapes::table() const
 {
   if(table_)
     return *table_;
-  const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(
-    shapes, points, areas(), CGAL::Tandem::parameters::symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  auto facts = CGAL::Tandem::shape_facts(shapes, points, areas(), upward(up));
+  if(all != nullptr) {
+    const auto before = CGAL::Tandem::shape_facts(*all, points, upward(up));
+    for(std::size_t s = 0; s < facts.size(); ++s)
+      if(!shapes.points(s).empty()) {
+        const auto& f = before[std::size_t(all->shape_index(shapes.points(s)[0]))];
+        facts[s].curved = f.curved;
+        facts[s].shape_class = f.shape_class;
+      }
+  }
   table_.emplace();
   tandem_examples::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
     Json& column = (*table_)[name] = Json::array();
-    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-      column.push_back(number_of(s));
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+      const Json value = number_of(s);
+      column.push_back(value == "" ? Json() : value);
+    }
   });
   return *table_;
+}
+
+Json Described_shapes::surface() const
+{
+  double area = 0, curved_area = 0;
+  std::size_t curved_shapes = 0;
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const bool is_facet = table()["curved"][s].get<double>() > tandem_examples::most_curved_face;
+    area += areas().area(s);
+    curved_area += is_facet ? areas().area(s) : 0;
+    curved_shapes += is_facet ? 1 : 0;
+  }
+  return {{"area", area}, {"curved_area", curved_area}, {"curved_shapes", curved_shapes}};
 }
 
 void write_shape_table(std::ostream& out, const Json& table)
@@ -65,8 +112,10 @@ void write_shape_table(std::ostream& out, const Json& table)
   out << '\n';
   for(std::size_t s = 0; s < table.begin()->size(); ++s) {
     out << s;
-    for(const Json& column : table)
-      out << ',' << column[s];
+    for(const Json& column : table) {
+      const std::string text = column[s].is_string() ? column[s].get<std::string>() : column[s].dump();
+      out << ',' << (text == "null" ? "" : text);
+    }
     out << '\n';
   }
 }

@@ -38,21 +38,27 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
 // they are asked for first.
 class Described_shapes {
 public:
-  Described_shapes(const Point_set& points, const Shapes& shapes, const std::array<double, 3>& up)
-    : points(points), shapes(shapes), up(up)
+  // all: of which the shapes were selected, or nothing
+  Described_shapes(const Point_set& points, const Shapes& shapes, const std::array<double, 3>& up,
+                   const Shapes* all = nullptr)
+    : points(points), shapes(shapes), up(up), all(all)
   {}
 
   const Shape_areas& areas() const;
 
-  // With a row for each shape: that of --shapes, which the page of --view has, too. A list for each column: a number of
-  // each shape.
+  // With a row for each shape: that of --shapes, which the page of --view has, too. A list for each column: a number or
+  // a word for each shape, null or not a number if it has none. Neighbors that are not selected count, too.
   const Json& table() const;
+
+  // The area of all shapes, and how much of it is curved.
+  Json surface() const;
 
   const Point_set& points;
   const Shapes& shapes;
   const std::array<double, 3> up; // the direction upward
 
 private:
+  const Shapes* all;
   mutable std::optional<Shape_areas> areas_;
   mutable std::optional<Json> table_;
 };

@@ -4,7 +4,8 @@
 // The part of the address of the page after '#', which is a link to what is seen:
 //   #camera=x,y,z,x,y,z  viewer and target, relative to the center     #up=z, y, -y or x,y,z
 //   #azimuth=30  #elevation=35  #zoom=1.5                              all shapes, from a side
-//   #color=shape, direction, plane, distance or input  #layers=points,outlines,surface,model  #theme=dark  #panel=0  #size=4
+//   #color=shape, direction, plane, distance, curved or input         #layers=points,outlines,surface,model
+//   #theme=dark  #panel=0  #size=4
 //   #shape=3  #direction=2  #plane=4                                   what is selected
 //   #unassigned=0  #smallest=100  #hide=1-4,9  #only=7                 what is shown
 //   #clip=x,y,z,x,y,z  #slice=x,y,z,offset,reach                       see clip.js

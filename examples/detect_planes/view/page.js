@@ -7,7 +7,7 @@ class Page {
     this.scene = scene;
     this.shapes = new Shapes(scene, data.points, data.inputColors);
     this.modes = { shape: "Shapes", direction: "Directions", plane: "Planes", distance: "Distance",
-                   ...data.inputColors.length > 0 ? { input: "Input" } : {} };
+                   curved: "Curved", ...data.inputColors.length > 0 ? { input: "Input" } : {} };
     this.visibility = new Visibility(this.shapes.count);
     this.mode = "shape";
     this.smallest = 0;
@@ -76,16 +76,15 @@ class Page {
                            direction: "A color for each direction of several shapes; the others are grey.",
                            plane: "A color for each plane of several shapes; the others are grey.",
                            input: "The colors of the input; a surface has the mean of its points.",
+                           curved: "Faces are grey, facets of curved surfaces orange:",
                            distance: "Distance to the plane of the shape, along its normal:" }[this.mode];
     if (this.cloud.layers.shown().includes("model"))
       legend.append(" Grey is what the model assumes: no points lie there.");
-    if (this.mode !== "distance")
-      return;
-    const bar = element("div", { class: "ramp" });
-    bar.style.background = "linear-gradient(to right, #2166d9, #6690da 25%, #dbdbd6 50%, #db7b70 75%, #db3326)";
     const d = this.panel.length(this.scene.maximum_distance);
-    legend.append(bar, element("div", { class: "ends" }, element("span", {}, "\u2212 " + d), element("span", {}, "0"),
-                               element("span", {}, "+ " + d)));
+    if (this.mode === "distance")
+      legend.append(...ramp("#2166d9, #6690da 25%, #dbdbd6 50%, #db7b70 75%, #db3326", ["\u2212 " + d, "0", "+ " + d]));
+    if (this.mode === "curved")
+      legend.append(...ramp(cssColor(curveColor(0)) + "," + cssColor(curveColor(1)), ["0", "0.5", "1"]));
   }
 
   setTheme(theme) {
@@ -271,6 +270,13 @@ class Page {
       tell(((this.times.length - 1) / seconds).toFixed(1) + " frames per second");
     this.cloud.requestRender();
   }
+}
+
+// A bar of colors, with texts below it.
+function ramp(colors, texts) {
+  const bar = element("div", { class: "ramp" });
+  bar.style.background = "linear-gradient(to right, " + colors + ")";
+  return [bar, element("div", { class: "ends" }, ...texts.map(text => element("span", {}, text)))];
 }
 
 function tell(text, kind = "") {

@@ -158,6 +158,7 @@ class Panel {
       ["Points", count(c.points[shape]) + (this.scene.stride > 1 ? ", shown " + count(c.shown[shape]) : "")],
       ["Plane", ...this.equation(shape)],
       ["Area", "about " + rounded(c.area[shape])],
+      ["Class", (c.class[shape] || "?") + (c.curved[shape] > 0.5 ? ", a facet of a curved surface" : "")],
       ["Distance", "of its points: " + this.length(c.mean_distance[shape]) + " on average, at most " +
         this.length(this.scene.maximum_distance)],
       ["Moved", "by " + degrees(c.turned_deg[shape]) + " and " + this.length(c.shifted[shape]) +

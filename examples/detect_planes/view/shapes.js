@@ -76,6 +76,8 @@ class Shapes {
   color(mode, shape) {
     if (mode === "direction" || mode === "plane")
       return groupColor(this.groupOf(mode, shape));
+    if (mode === "curved")
+      return curveColor(this.columns.curved[shape]);
     return mode === "input" ? this.inputMeans[shape] : wheelColor(shape);
   }
 
@@ -95,6 +97,9 @@ function groupColor(group) {
   const grey = 0.5 + 0.04 * (group.rank % 5);
   return [grey, grey, grey * 1.08];
 }
+
+// From grey to orange; a shape without points has no curvature.
+function curveColor(curved) { return [0.62, 0.62, 0.65].map((grey, k) => grey + curved * ([1, 0.5, 0.05][k] - grey)); }
 
 // As color_of_shape() in the files of detect_planes: steps of the golden ratio around the color wheel.
 function wheelColor(index) {

@@ -107,8 +107,11 @@ Json json_of_shapes(const Shapes& shapes, const Json& table, const Run& run, con
     const auto& c = shapes.coefficients(s);
     plane.insert(plane.end(), c.begin(), c.end());
     int axis = 0;
-    for(const char* name : {"x", "y", "z"})
-      centroid.push_back(table[name][s].get<double>() - center[axis++]);
+    for(const char* name : {"x", "y", "z"}) { // a shape without points is at the center
+      const double x = table[name][s].get<double>();
+      centroid.push_back(std::isnan(x) ? 0 : x - center[axis]);
+      ++axis;
+    }
     outward.push_back(!has_sides ? 0 : shapes.is_flipped(s) ? -1 : 1);
   }
   json["coefficients"] = plane;

@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from typing import List, Optional
+from typing import List, Optional, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _direction, _normals, _number, _numbers, _rows, _set, _tolerances
+from ._arguments import _count, _direction, _normals, _number, _numbers, _rows, _set, _switch, _tolerances
 from ._tandem import PlanarShapes
 
 
@@ -21,6 +21,9 @@ def select_shapes(
     largest: Optional[int] = None,
     minimum_area: Optional[float] = None,
     minimum_extent: Optional[float] = None,
+    minimum_width: Optional[float] = None,
+    flat_only: bool = False,
+    classes: Optional[Sequence[str]] = None,
     near_direction: Optional[npt.ArrayLike] = None,
     orthogonal_direction: Optional[npt.ArrayLike] = None,
     near_angle: Optional[float] = None,
@@ -37,7 +40,11 @@ def select_shapes(
         indices               integers, or a mask with a truth value for each shape; not together with criteria
         largest               number of shapes: those with most points, of those that fit the other criteria
         minimum_area          smallest area that the points of a shape cover
-        minimum_extent        smallest length of a shape: the longer side of the smallest rectangle around its points
+        minimum_extent        smallest length of a shape: the longer side of the smallest rectangle around points and
+                              outline
+        minimum_width         smallest width of a shape: the shorter side
+        flat_only             whether to leave out facets of curved surfaces: shapes with table()["curved"] above 0.5
+        classes               shapes of these classes of table(): any of floor, ceiling, wall, roof, ground, slanted
         near_direction        three numbers: selects shapes with a normal within near_angle of this direction or its
                               opposite. With the vertical, these are level shapes
         orthogonal_direction  three numbers: selects shapes with a normal within near_angle of a right angle to this
@@ -48,11 +55,13 @@ def select_shapes(
     occurs twice.
     """
     _check_result(shapes)
-    criteria = (largest, minimum_area, minimum_extent, near_direction, orthogonal_direction, near_angle)
+    criteria = (largest, minimum_area, minimum_extent, minimum_width, classes, near_direction, orthogonal_direction,
+                near_angle)
     if indices is not None:
-        if any(criterion is not None for criterion in criteria):
+        if _switch("flat_only", flat_only) or any(criterion is not None for criterion in criteria):
             raise ValueError("indices are not together with criteria: select twice")
         return _tandem.select_shapes(shapes, _indices(indices, len(shapes)))
+    shapes = _with_facts(shapes, minimum_width, _switch("flat_only", flat_only), classes)
     selection = _tandem.default_selection()
     _set(selection, _count, largest=largest)
     _set(selection, _number, minimum_area=minimum_area, minimum_extent=minimum_extent, near_angle=near_angle)
@@ -98,6 +107,24 @@ def label_points(
     _set(labeling, _number, maximum_distance=maximum_distance, maximum_angle=maximum_angle, reach=reach)
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), 0)
     return _tandem.label_points(shapes, rows, given, labeling)
+
+
+def _with_facts(
+    shapes: PlanarShapes, minimum_width: Optional[float], flat_only: bool, classes: Optional[Sequence[str]]
+) -> PlanarShapes:
+    if minimum_width is None and not flat_only and classes is None:
+        return shapes
+    names = ("floor", "ceiling", "wall", "roof", "ground", "slanted")
+    if classes is not None and (isinstance(classes, str) or any(name not in names for name in classes)):
+        raise ValueError(f"classes must be a list of any of {', '.join(names)}, not {classes!r}")
+    width = _number("minimum_width", minimum_width) or 0.0
+    if not 0 <= width < float("inf"):
+        raise ValueError(f"minimum_width is {width}, must be at least 0 and finite")
+    table = shapes.table()
+    is_kept = (table["width"] >= width) & ~(flat_only & (table["curved"] > 0.5))
+    if classes is not None:
+        is_kept &= np.isin(table["class"], list(classes))
+    return _tandem.select_shapes(shapes, np.flatnonzero(is_kept).tolist())
 
 
 def _check_result(shapes: PlanarShapes) -> None:

@@ -76,7 +76,7 @@ void keep_directed_shapes(const Shapes_data& data, const NP& np, std::vector<std
   }
 }
 
-// By area and extent, where least ones are given. Areas take longest to measure.
+// By area and extent, where least ones are given.
 template <class GeomTraits, class PointRange, class NP>
 void keep_measured_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points, const NP& np,
                           std::vector<std::size_t>& kept)
@@ -89,14 +89,9 @@ void keep_measured_shapes(const Planar_shapes_3<GeomTraits>& shapes, const Point
   if(area == 0 && extent == 0)
     return;
   const auto coordinates = checked_coordinates(shapes, points, np);
-  if(extent > 0) {
-    const std::vector<Shape_facts> measured = facts::facts_table(coordinates, shapes.data(), Vector{0, 0, 1});
-    keep_shapes(kept, [&](std::size_t s) { return measured[s].length >= extent; });
-  }
-  if(area > 0) {
-    const std::vector<double> areas = outlines::outline_table(coordinates, shapes.data()).areas;
-    keep_shapes(kept, [&](std::size_t s) { return areas[s] >= area; });
-  }
+  const std::vector<Shape_facts> measured = facts::facts_table(coordinates, shapes.data(), Vector{0, 0, 1},
+                                                               outlines::outline_table(coordinates, shapes.data()));
+  keep_shapes(kept, [&](std::size_t s) { return measured[s].length >= extent && measured[s].area >= area; });
 }
 
 // Those with most points, of equal ones the first; in the order that they had.
@@ -114,20 +109,16 @@ inline void keep_largest_shapes(const Shapes_data& data, std::size_t number, std
 
 namespace internal::facts {
 
-// With the areas that areas_of(coordinates) returns.
-template <class GeomTraits, class PointRange, class NP, class Areas>
-std::vector<Shape_facts> facts_with_areas(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
-                                          const NP& np, Areas areas_of)
+// With the outlines that outlines_of(coordinates) returns.
+template <class GeomTraits, class PointRange, class NP, class Outlines>
+std::vector<Shape_facts> facts_of_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                         const NP& np, Outlines outlines_of)
 {
   const std::array<double, 3>& axis = shapes.parameters().symmetry_direction;
   const CGAL::Simple_cartesian<double>::Vector_3 by_default(axis[0], axis[1], axis[2]);
   const Vector up = upward(parameter<internal_np::symmetry_direction_t>(np, by_default));
   const auto coordinates = checked_coordinates(shapes, points, np);
-  std::vector<Shape_facts> facts = facts_table(coordinates, shapes.data(), up);
-  const std::vector<double> areas = areas_of(coordinates);
-  for(std::size_t s = 0; s < facts.size(); ++s)
-    facts[s].area = areas[s];
-  return facts;
+  return facts_table(coordinates, shapes.data(), up, outlines_of(coordinates));
 }
 
 } // namespace internal::facts
@@ -135,13 +126,13 @@ std::vector<Shape_facts> facts_with_areas(const Planar_shapes_3<GeomTraits>& sha
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief measures the shapes: position, size, inclination, and distances to their points.
+\brief measures the shapes: position, size, inclination, distances to their points, curvature and class.
 
 Include `CGAL/Shape_regularization_tandem_models.h`.
 
 A shape of n points takes O(n log n) time. Most of it is spent in `polygons()`, for the areas; the second function takes
 the areas from polygons that the caller has already. With `CGAL_LINKED_WITH_TBB`, shapes are processed in parallel.
-The result is the same for every number of threads.
+The result is the same for every number of threads, and does not depend on the order of the points.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
@@ -171,8 +162,8 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                      const NamedParameters& np = NamedParameters())
 {
-  return internal::facts::facts_with_areas(shapes, points, np, [&](const auto& coordinates) {
-    return internal::outlines::outline_table(coordinates, shapes.data()).areas;
+  return internal::facts::facts_of_shapes(shapes, points, np, [&](const auto& coordinates) {
+    return internal::outlines::outline_table(coordinates, shapes.data());
   });
 }
 
@@ -196,10 +187,8 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
                                      const NamedParameters& np = NamedParameters())
 {
   internal::check_entries(shapes, areas);
-  std::vector<double> of_shapes;
-  for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
-    of_shapes.push_back(areas.area(s));
-  return internal::facts::facts_with_areas(shapes, points, np, [&](const auto&) { return of_shapes; });
+  return internal::facts::facts_of_shapes(
+    shapes, points, np, [&](const auto&) -> const auto& { return areas.table(); });
 }
 
 /*!
@@ -226,7 +215,7 @@ the result, from their indices.
   \cgalParamNEnd
   \cgalParamNBegin{minimum_area, minimum_extent}
     \cgalParamDescription{the least `Shape_facts::area`, that of the outline among all shapes, and the least
-    `Shape_facts::length`, the longer side of the smallest rectangle that holds the points}
+    `Shape_facts::length`, the longer side of the smallest rectangle that holds points and outline}
     \cgalParamDefault{0: all shapes}
   \cgalParamNEnd
   \cgalParamNBegin{largest}

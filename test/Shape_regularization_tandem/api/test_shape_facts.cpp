@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // shape_facts() of shapes whose size and place are known: in two kernels, in small, large and far clouds, and of points
-// that determine little.
+// that determine little; facets of a curved surface; and the classes of the parts of buildings.
 
 #include "api_support.h"
 
@@ -152,6 +152,153 @@ BOOST_AUTO_TEST_CASE(test_moved)
   CHECK(after.rms_distance > after.mean_distance && after.mean_distance > .04);
 }
 
+// --- Several shapes
+
+// Of a plane z = a x + b y + c, or with other axes.
+struct Patch {
+  Points points;
+  Vec normal;
+  double d;
+};
+
+// Points that are `step` apart, from a corner on.
+Patch patch(const Vec& corner, const Vec& u, const Vec& v, double step = .1)
+{
+  const Vec n = cross(u, v), normal = 1 / std::sqrt(dot(n, n)) * n;
+  const int columns = int(std::sqrt(dot(u, u)) / step), rows = int(std::sqrt(dot(v, v)) / step);
+  Patch result = {{}, normal, -dot(normal, corner)};
+  for(int i = 0; i <= columns; ++i)
+    for(int j = 0; j <= rows; ++j) {
+      const Vec p = corner + double(i) / columns * u + double(j) / rows * v;
+      result.points.emplace_back(p.x, p.y, p.z);
+    }
+  return result;
+}
+
+// With points without a shape at the end.
+std::vector<Shape_facts> facts_of(const std::vector<Patch>& patches, const Points& others = {})
+{
+  Points all;
+  std::vector<std::int32_t> labels;
+  Shapes::Data data;
+  for(const Patch& p : patches) {
+    labels.resize(labels.size() + p.points.size(), std::int32_t(data.size.size()));
+    data.parallel_group.push_back(int(data.size.size()));
+    data.coefficients.push_back({p.normal.x, p.normal.y, p.normal.z, p.d});
+    data.size.push_back(p.points.size());
+    all.insert(all.end(), p.points.begin(), p.points.end());
+  }
+  all.insert(all.end(), others.begin(), others.end());
+  labels.resize(all.size(), -1);
+  data.coplanar_group = data.parallel_group;
+  data.is_flipped.resize(data.size.size());
+  data.uncertainty.resize(data.size.size());
+  data.shape_of = std::move(labels);
+  data.parameters.maximum_distance = .2;
+  return CGAL::Tandem::shape_facts(Shapes(data), all);
+}
+
+// Two patches on both sides of the axis y, of width 2: those of a cylinder of radius 10, or a ridge of the same angle. The
+// noise is larger than the bend of a patch, and smaller than that of both.
+std::vector<Patch> beside_y(bool is_curved)
+{
+  scenes::Random random(7);
+  std::vector<Patch> patches;
+  for(const double side : {-1., 1.}) {
+    Patch p = patch({0, 0, 0}, {2 * side, 0, -.2}, {0, 5, 0});
+    for(Kernel::Point_3& q : p.points) {
+      const double bend = is_curved ? .1 * std::fabs(q.x()) - .05 * q.x() * q.x() - .1 / 3 : 0;
+      q = Kernel::Point_3(q.x(), q.y(), q.z() + bend + .02 * random.gaussian());
+    }
+    patches.push_back(p);
+  }
+  return patches;
+}
+
+BOOST_AUTO_TEST_CASE(test_facets)
+{
+  const std::vector<Patch> facets = beside_y(true), faces = beside_y(false);
+  for(const Shape_facts& f : facts_of(facets))
+    CHECK_AT(f.curved > .8 && f.curved <= 1, std::to_string(f.curved));
+  for(const Shape_facts& f : facts_of(faces))
+    CHECK_AT(f.curved >= 0 && f.curved < .1, std::to_string(f.curved));
+  // Without the neighbor, the noise is larger; a wider facet bends more.
+  const double alone = facts_of({facets[0]})[0].curved;
+  CHECK_AT(alone > .1 && alone < .5, std::to_string(alone));
+  Patch wide = patch({-2.5, 0, 0}, {5, 0, 0}, {0, 5, 0});
+  for(Kernel::Point_3& q : wide.points)
+    q = Kernel::Point_3(q.x(), q.y(), .13 - .05 * q.x() * q.x());
+  CHECK(facts_of({wide})[0].curved > .999 && facts_of({patch({0, 0, 0}, {1, 0, .3}, {0, 1, .1})})[0].curved == 0);
+}
+
+BOOST_AUTO_TEST_CASE(test_order_of_points)
+{
+  std::vector<Patch> patches = beside_y(true);
+  const std::vector<Shape_facts> before = facts_of(patches);
+  for(Patch& p : patches)
+    std::reverse(p.points.begin(), p.points.end());
+  const std::vector<Shape_facts> after = facts_of(patches);
+  for(std::size_t s = 0; s < 2; ++s) {
+    CHECK(before[s].curved == after[s].curved && before[s].centroid == after[s].centroid);
+    CHECK(before[s].rms_distance == after[s].rms_distance && before[s].width == after[s].width);
+  }
+}
+
+// --- The classes of shapes
+
+using CGAL::Tandem::Shape_class;
+
+void check_classes(const std::string& expected, const std::vector<Patch>& patches, const Points& others = {})
+{
+  std::string result;
+  for(const Shape_facts& f : facts_of(patches, others))
+    result += std::string(result.empty() ? "" : " ") + CGAL::Tandem::shape_class_name(f.shape_class);
+  CHECK_AT(result == expected, result);
+}
+
+// 6 x 4, from a level on.
+std::vector<Patch> walls(double height, double level = 0)
+{
+  const Vec up = {0, 0, height};
+  return {patch({0, 0, level}, {6, 0, 0}, up), patch({6, 0, level}, {0, 4, 0}, up),
+          patch({6, 4, level}, {-6, 0, 0}, up), patch({0, 4, level}, {0, -4, 0}, up)};
+}
+
+Patch level(double height) { return patch({0, 0, height}, {6, 0, 0}, {0, 4, 0}); }
+
+std::vector<Patch> joined(std::vector<Patch> first, const std::vector<Patch>& second)
+{
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+BOOST_AUTO_TEST_CASE(test_rooms)
+{
+  check_classes("floor ceiling wall wall wall wall", joined({level(0), level(3)}, walls(3)));
+  check_classes("floor wall wall wall wall", joined({level(0)}, walls(3))); // as of a scan without a ceiling
+  // Two stories, with a slab between them.
+  check_classes("floor ceiling floor ceiling wall wall wall wall wall wall wall wall",
+                joined({level(0), level(3), level(3.4), level(6)}, joined(walls(3), walls(2.6, 3.4))));
+}
+
+// Ground around a house with a gable roof, and one with a flat roof; points without a shape are above a part of the ground.
+BOOST_AUTO_TEST_CASE(test_house)
+{
+  Patch ground = patch({-10, -10, 0}, {26, 0, 0}, {0, 24, 0});
+  ground.points.erase(
+    std::remove_if(ground.points.begin(), ground.points.end(),
+                   [](const Kernel::Point_3& p) { return p.x() > 0 && p.x() < 6 && p.y() > 0 && p.y() < 4; }),
+    ground.points.end());
+  const std::vector<Patch> gable = {patch({-.5, -.5, 2.8}, {7, 0, 0}, {0, 2.5, 1.5}),
+                                    patch({-.5, 4.5, 2.8}, {7, 0, 0}, {0, -2.5, 1.5})};
+  const Points tree = patch({-8, -8, 4}, {5, 0, 0}, {0, 5, 0}).points;
+  check_classes("ground roof roof wall wall wall wall", joined({ground, gable[0], gable[1]}, walls(3)), tree);
+  check_classes("ground roof wall wall wall wall", joined({ground, level(3)}, walls(3)));
+  check_classes("ground roof roof", {ground, gable[0], gable[1]}); // as seen from the air
+  // On ground that is there below the house, too.
+  check_classes("ground roof", {patch({-10, -10, 0}, {26, 0, 0}, {0, 24, 2}), level(5)});
+}
+
 BOOST_AUTO_TEST_CASE(test_few_points)
 {
   const Shape_facts three = Shape({{1, 1, 0}, {2, 1, 0}, {1, 3, 0}}, {0, 0, 1}, 0).facts();
@@ -171,7 +318,8 @@ BOOST_AUTO_TEST_CASE(test_few_points)
   empty.data.shape_of = std::vector<std::int32_t>(empty.points.size(), -1);
   empty.data.size = {0};
   const Shape_facts f = empty.facts();
-  CHECK(f.number_of_points == 0 && f.area == 0 && f.length == 0 && f.rms_distance == 0);
+  CHECK(f.number_of_points == 0 && f.area == 0 && f.length == 0 && f.rms_distance == 0 && f.curved == 0);
+  CHECK(f.shape_class == Shape_class::none && three.curved == 0 && thin.curved == 0 && one.curved == 0);
   check_slope(f, 30, 30, 120);
 }
 

@@ -222,6 +222,10 @@ const tests = {
     await b.expectAddress("color=input");
     await b.click("#color-plane");
     b.expect(await b.ratio(region, color) < 0.01, "the colors stay");
+    await b.click("#color-curved"); // no wall is
+    await b.expectAddress("color=curved");
+    b.expect((await b.state("page.shapes.color('curved', 0)")).every(c => c < 0.7), "a wall has the color of a facet");
+    await b.click("#color-plane");
   },
 
   // The box and the slice: the room is looked into, and what is clipped cannot be clicked on.

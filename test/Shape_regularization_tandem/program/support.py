@@ -144,7 +144,7 @@ class Program:
 
     def csv(self, name):
         """The columns of a table with a line of names."""
-        return np.genfromtxt(self.path(name), delimiter=",", names=True, ndmin=1)
+        return np.genfromtxt(self.path(name), delimiter=",", names=True, ndmin=1, dtype=None, encoding="utf-8")
 
     def is_same(self, *names):
         return len({self.path(name).read_bytes() for name in names}) == 1

@@ -121,7 +121,8 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
     (2, 1, "none of the inputs has points", "class_none.ply class_empty.ply"),
     *((2, 2, f"--{option.split()[0]} needs all points in one process", f"{ALL} --{option}") for option in (
         "output out.ply", "labels out.ply", "vg out.ply", "polygons out.ply", "shapes out.csv", "mesh out.ply",
-        "view out.html", "by-plane", "planes-from 1", "minimum-area 1", "minimum-extent 1")),
+        "view out.html", "by-plane", "planes-from 1", "minimum-area 1", "minimum-extent 1",
+        "minimum-width 1", "flat-only", "class wall")),
     *([] if os.environ.get("TANDEM_WITH_MPI_CUDA") == "1" else [
         (2, 2, "--backend is 'cuda', but in several processes", f"{ALL} --backend cuda")]),
     (2, 2, "--estimate-normals with a number needs all points", f"{ALL} --estimate-normals 12"),

@@ -68,7 +68,13 @@ def test_planes_without_points(p):
       "more.txt --labels l5.bin --shapes s.csv --planes p.txt --report r.json --vg o.vg --output o.ply")
     assert p.sizes("l5.bin") == {-1: 576, 1: 576, 4: 576}
     assert p.read("p.txt") == "0 0 1 -7\n0 0 1 0\n0 0 1 0\n0 0 1 0\n0 1 0 0\n"
-    assert len(p.lines("s.csv")) == 6
+    # Blank is what they do not have, also for a reader.
+    rows = [row.split(",") for row in p.lines("s.csv")]
+    assert len(rows) == 6 and len({len(row) for row in rows}) == 1 and "null" not in p.read("s.csv")
+    assert [name for name, value in zip(rows[0], rows[1]) if value == ""] == (
+        "x y z area length width lowest highest rms_distance mean_distance turned_deg shifted curved class noise "
+        "offset_deviation angle_deviation_deg").split()
+    p(0, "of s.csv, not detected.*shapes +5 in", "cube.ply E --planes-from s.csv")
     report = p.json("r.json")
     assert report["relations"]["coplanar_groups"] == [[0], [1, 2, 3], [4]] and report["planes_from"] == "more.txt"
     p.warns("cube.ply E --planes-from more.txt --polygons o.obj", "3 of 5 shapes have too few points")

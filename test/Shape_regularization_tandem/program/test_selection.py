@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of the result and of the input of detect_planes: --largest, --minimum-area, --minimum-extent, --near-direction and
---crop."""
+"""Parts of the result and of the input of detect_planes: --largest, --minimum-area, --minimum-extent, --minimum-width, --flat-only,
+--class, --near-direction and --crop."""
 
 import re
 
@@ -44,7 +44,8 @@ def prepare(p):
     ([480, 384], "--near-direction vertical"), ([480, 384, 312], "--near-direction vertical,46"),
     ([312], "--near-direction '-1,0,1, 1'"), ([576, 480], "--minimum-area 0.018"),
     ([480], "--largest 1 --minimum-area 0.0145 --near-direction vertical"),
-    ([576, 480, 384, 312], "--minimum-extent 0.16"),
+    ([576, 480, 384, 312], "--minimum-extent 0.16"), ([576, 480], "--minimum-width 0.13"),
+    ([576, 480, 384, 312], "--flat-only"), ([480, 384], "--class wall"), ([480], "--minimum-width 0.13 --class slanted,wall"),
     # The direction of symmetry is upward.
     ([480], "--near-direction horizontal --symmetry-direction 0,1,0"),
     ([576, 384, 312], "--near-direction vertical --symmetry-direction 0,1,0")])
@@ -91,9 +92,11 @@ def test_nothing_is_left(p):
 
 test_bad_usage = cases([(pattern, f"{PARTS} {arguments}") for pattern, arguments in (
     *((f"--largest is {value}, allowed is .1, 2147483648.", f"--largest {value}") for value in (0, -1, 99999999999)),
-    *((f"--minimum-{name} is .*, must be positive", f"--minimum-{name} {value}") for name in ("area", "extent")
+    *((f"--minimum-{name} is .*, must be positive", f"--minimum-{name} {value}") for name in ("area", "extent", "width")
       for value in (0, -2, "nan", 1e300)),
     ("--minimum-area", "--minimum-area wide"),
+    *((f"--class is '{names}', must be names .*: any of floor, ceiling, wall, roof, ground, slanted", f"--class '{names}'")
+      for names in ("door", "wall,", "wall;roof", "2")),
     *((f"--near-direction is '{value}', must be X,Y,Z, not all 0, vertical or horizontal", f"--near-direction='{value}'")
       for value in ("up", "0,0", "0,0,0", "0,0,1,91", "0,0,1,-1", "0,0,nan", "0,0,1,2,3", "vertical,up", "vertical,",
                     "vertical,1,2", "vertical,-1", "0,0,1,")),

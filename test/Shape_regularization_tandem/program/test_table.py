@@ -14,7 +14,7 @@ LENGTH, WIDTH = STEP * (COLUMNS - 1), STEP * (ROWS - 1)
 FACES = [((0, 0, 0), (1, 0, 0), (0, 1, 0), 0, 0), ((6, 0, 0), (1, 0, 0), (0, 1, 0), 0, 0),
          ((0, 5, 3), (1, 0, 0), (0, 0, 1), 90, 180), ((0, 10, 5), (0, 1, 0), (-np.sqrt(.75), 0, .5), 30, 90)]
 NAMES = ("shape points a b c d x y z area length width lowest highest tilt_deg dip_deg azimuth_deg rms_distance "
-         "mean_distance turned_deg shifted noise offset_deviation angle_deviation_deg parallel_group "
+         "mean_distance turned_deg shifted curved class noise offset_deviation angle_deviation_deg parallel_group "
          "coplanar_group").split()
 RUN = "faces.xyz --maximum-distance 0.01 --minimum-region-size 100 --quiet"
 

@@ -68,6 +68,7 @@ def test_data(p):
         assert 0.025 <= shapes["area"][i] < 0.029
         assert all(abs(shapes[name][i]) < 1e-5 for name in ("turned_deg", "shifted", "mean_distance"))  # they are planar
         assert abs(shapes["outward"][i]) == 1  # the normals are given
+        assert shapes["curved"][i] < .5 and shapes["class"][i] in ("wall", "ground", "floor", "ceiling", "roof")
     # The faces meet in seven corners of 12 bytes; for each face, an outline is of the number of its loops, that of its
     # corners and at least four of these, and triangles are their number and at least two; no colors.
     for name, least in (("corners", 7 * 12), ("loops", 3 * 4 * 6), ("triangles", 3 * 4 * 7)):

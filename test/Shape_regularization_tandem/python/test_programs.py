@@ -68,8 +68,10 @@ def test_same_result_as_the_program(path):
     np.testing.assert_array_equal(np.loadtxt(path("planes")), shapes.planes)
     with open(path("report")) as file:
         assert json.load(file)["hash"] == f"{shapes.hash:016x}"
-    written, table = np.genfromtxt(path("shapes.csv"), delimiter=",", names=True), shapes.table()
+    written = np.genfromtxt(path("shapes.csv"), delimiter=",", names=True, dtype=None, encoding="utf-8")
+    table = shapes.table()
     assert written.dtype.names == tuple(table)
+    assert written["class"].tolist() == table.pop("class").tolist()
     for name, column in table.items():
         np.testing.assert_allclose(written[name], column, rtol=1e-12, atol=1e-12, err_msg=name)
     with open(path("mesh.ply")) as file:

@@ -174,10 +174,11 @@ def test_columns():
     shapes, table = shapes_of_room(), shapes_of_room().table()
     counts = ["shape", "points", "parallel_group", "coplanar_group"]
     assert {name: column.dtype for name, column in table.items()} == {
-        name: np.dtype(np.int64 if name in counts else np.float64) for name in table}
+        name: np.dtype(np.int64 if name in counts else "U7" if name == "class" else np.float64) for name in table}
     np.testing.assert_array_equal(np.stack([table[name] for name in "abcd"], axis=1), shapes.planes)
     np.testing.assert_array_equal(table["coplanar_group"], shapes.coplanar_groups)
     np.testing.assert_array_equal(table["angle_deviation_deg"], shapes.uncertainties["angle_deg"])
+    assert sorted(table["class"]) == ["ceiling", "floor"] + 4 * ["wall"] and (table["curved"] < .1).all()
     upward = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(1, 0, 0)).table()
     np.testing.assert_allclose(np.sort(upward["highest"]), [0] + 5 * [4], atol=0.05)
     empty = tandem.detect_planes(np.zeros((0, 3)), maximum_distance=1).table()

@@ -43,7 +43,9 @@ def test_criteria():
             ({"near_direction": (1, 0, 1), "near_angle": 46}, y < .1),
             ({"largest": 2}, np.isin(range(6), sorted(range(6), key=lambda s: -sizes[s])[:2])),
             # Faces are 4 by 3, 4 by 2.5 and 3 by 2.5 meters.
-            ({"minimum_area": 11}, z > .9), ({"minimum_extent": 3.5}, x < .1), ({}, x >= 0), ({"minimum_area": 99}, x < 0)):
+            ({"minimum_area": 11}, z > .9), ({"minimum_extent": 3.5}, x < .1),
+            ({"minimum_width": 2.8}, z > .9), ({"classes": ["wall"]}, z < .1), ({"classes": ["wall"], "largest": 9}, z < .1),
+            ({"flat_only": True}, x >= 0), ({"classes": []}, x < 0), ({}, x >= 0), ({"minimum_area": 99}, x < 0)):
         check(tandem.select_shapes(shapes, **criteria), np.flatnonzero(expected).tolist())
 
 
@@ -56,6 +58,7 @@ def test_errors():
     for function, given, wrong in (
             (tandem.select_shapes, [],
              {"largest": (0, -1), "near_angle": (91,), "minimum_area": (-1,), "minimum_extent": (np.nan,),
+              "minimum_width": (-1, np.nan), "classes": (["door"], "wall"),
               "near_direction": ((0, 0, 0),), "orthogonal_direction": ((0, 1),)}),
             (tandem.label_points, [points], {"maximum_distance": (0,), "maximum_angle": (90,), "normals": (points[1:],),
                                              "reach": (0, np.nan, -np.inf), "maximum_distance_map": ([1],)})):
@@ -65,6 +68,8 @@ def test_errors():
                     function(shapes, *given, **{name: value})
     with pytest.raises(ValueError, match="together"):
         tandem.select_shapes(shapes, indices=[0], largest=1)
+    with pytest.raises(ValueError, match="together"):
+        tandem.select_shapes(shapes, indices=[0], flat_only=True)
     for call, word in ((lambda: tandem.select_shapes(shapes.labels, [0]), "shapes"),
                        (lambda: tandem.select_shapes(shapes, largest=1.5), "largest"),
                        (lambda: tandem.label_points(None, points), "shapes")):

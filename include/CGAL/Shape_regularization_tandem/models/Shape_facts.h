@@ -12,6 +12,32 @@ namespace CGAL::Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
+\brief What a shape is in a building or a landscape. \ref Tandem_models_classes has the definitions.
+*/
+enum class Shape_class {
+  none,    ///< a shape without points
+  floor,   ///< level, under something
+  ceiling, ///< level, above something, and under nothing closer than that
+  wall,    ///< upright
+  roof,    ///< under nothing, and higher than what is around it
+  ground,  ///< level or sloping, neither above nor under something, nor higher than what is around it
+  slanted  ///< neither level nor upright, and none of these
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief returns the word for a class, as in `floor`; an empty one for `Shape_class::none`.
+*/
+inline const char* shape_class_name(Shape_class c)
+{
+  constexpr std::array<const char*, 7> names = {"", "floor", "ceiling", "wall", "roof", "ground", "slanted"};
+  return names[std::size_t(c)];
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
 \brief What is known of a shape beside its plane, as a row of a table. `shape_facts()` makes it.
 
 Lengths are in the units of the points, areas in their squares, angles in degrees. Of a shape without points, all but
@@ -25,7 +51,7 @@ struct Shape_facts {
   /// what the points cover: the area of the outline that `polygons()` finds for the shape. It is 0 for a shape of so
   /// few points that it has none.
   double area = 0;
-  /// the longer side of the smallest rectangle in the plane that holds all points: that of smallest area
+  /// the longer side of the smallest rectangle in the plane that holds all points and the outline: that of smallest area
   double length = 0;
   /// the shorter side of that rectangle
   double width = 0;
@@ -52,6 +78,11 @@ struct Shape_facts {
   double turned_deg = 0;
   /// how far it has shifted the plane: the distance of the centroid, through which the least-squares plane passes
   double shifted = 0;
+  /// how much of the scatter of the points about a plane a curved surface explains, from 0 to 1: above 1/2, the shape is a
+  /// facet of such a surface, otherwise a face. \ref Tandem_models_facets has the definition.
+  double curved = 0;
+  /// what the shape is, by its angle to the level and by the shapes above, below and around it
+  Shape_class shape_class = Shape_class::none;
 };
 
 } // namespace CGAL::Tandem

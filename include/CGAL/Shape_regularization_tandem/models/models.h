@@ -77,9 +77,10 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
 
 namespace facts {
 
-// The facts of shapes, but for their areas, which take most of the time: those of outline_table().
+// The facts of shapes. Most of the time is spent in outline_table(), for their areas.
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
-                                                               const Shapes_data& data, const Vector& up);
+                                                               const Shapes_data& data, const Vector& up,
+                                                               const outlines::Polygon_table& areas);
 
 } // namespace facts
 

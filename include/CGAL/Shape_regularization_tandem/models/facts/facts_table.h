@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The facts of shapes, but for their areas.
+// The facts of shapes.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 
+#include <CGAL/Shape_regularization_tandem/models/facts/Point_columns.h>
+#include <CGAL/Shape_regularization_tandem/models/facts/curvature.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -41,6 +44,9 @@ public:
   }
 
   double height(const Vector& p) const { return dot(up, p); }
+
+  // Of this width.
+  Point_columns columns(double width) const { return Point_columns(east, north, up, width); }
 
   // Of a plane whose outward unit normal this is. Planes that were made level or vertical are so up to rounding, which
   // must not choose their azimuth.
@@ -150,12 +156,11 @@ inline Scatter scatter_of(const std::vector<Vector>& points)
 
 // The angle between a plane of this normal and the least-squares plane. There are many where the two smallest eigenvalues
 // are equal, as of points on a line: the plane is as close to the closest of them.
-inline double turned_deg(const Vector& normal, const Scatter& s)
+inline double turned_deg(const Vector& normal, const Eigen_system& e, double count)
 {
   constexpr double coordinate_rounding2 = 0x1p-104; // the square of the last bit of coordinates below 1
-  const Eigen_system e = eigen_system(s.matrix);
   const double rounding =
-    e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + s.count * coordinate_rounding2;
+    e.value[0] + tuning::exactness::squared_distance_margin * e.value[2] + count * coordinate_rounding2;
   Vector outside = {0, 0, 0};
   for(int i = 1; i < 3; ++i)
     if(e.value[i] > rounding)
@@ -163,59 +168,135 @@ inline double turned_deg(const Vector& normal, const Scatter& s)
   return degrees(std::asin((std::min)(length(outside), 1.)));
 }
 
-inline Shape_facts facts_of_shape(const std::vector<Position>& points, const outlines::Shapes& shapes,
-                                  const outlines::Unit& unit, const Level_frame& level, std::size_t s)
-{
-  const Coefficients plane = unit.in(shapes.coefficients(s));
-  const Vector normal = {plane[0], plane[1], plane[2]};
-  Shape_facts f = level.facts_of_plane(shapes.is_flipped(s) ? -normal : normal);
-  f.number_of_points = shapes.size(s);
-  if(f.number_of_points == 0)
-    return f; // of a known plane
-  const outlines::Plane_frame frame(shapes, s, unit.in(points[shapes.points(s)[0]]));
-  const auto height = [&](const Vector& p) {
-    return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
-  };
-  std::vector<Vector> members;
-  std::vector<Flat_point> flat;
-  double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
-  members.reserve(shapes.points(s).size());
-  flat.reserve(shapes.points(s).size());
-  for(std::uint32_t i : shapes.points(s)) {
-    const outlines::Kernel::Point_3 p = unit.in(points[i]);
-    members.push_back({p.x(), p.y(), p.z()});
-    flat.push_back(frame.flat(p));
-    const double distance = height(members.back());
-    sum += std::fabs(distance);
-    squares = std::fma(distance, distance, squares);
-    lowest = (std::min)(lowest, level.height(members.back()));
-    highest = (std::max)(highest, level.height(members.back()));
+class Facts_maker {
+public:
+  // up: of length 1; areas: the outlines of the shapes
+  Facts_maker(const std::vector<Position>& points, const Shapes_data& data, const Vector& up,
+              const outlines::Polygon_table& areas)
+    : points(points), areas(areas), shapes(data), unit(points, shapes), level(up)
+  {}
+
+  std::vector<Shape_facts> facts() const
+  {
+    std::vector<Shape_facts> result(shapes.number_of_shapes());
+    std::vector<Shape_patch> patches(result.size());
+    for_each_in_parallel(result.size(), [&](std::size_t s) {
+      patches[s].points = points_of(s);
+      result[s] = facts_of(s, patches[s]);
+    });
+    constexpr double tolerances = .01; // less is nothing, as what rounding leaves of points without noise
+    const std::vector<double> curved =
+      Curvature(patches, tolerances * unit.in(shapes.parameters().maximum_distance)).of_shapes();
+    for(std::size_t s = 0; s < result.size(); ++s)
+      result[s].curved = curved[s];
+    classify(patches, result);
+    return result;
   }
-  const Scatter scatter = scatter_of(members);
-  const Vector centroid = members[0] + scatter.centroid;
-  f.centroid = unit.out(Position{centroid.x, centroid.y, centroid.z});
-  const Rectangle_sides sides = smallest_rectangle(flat);
-  f.length = unit.out(sides.length);
-  f.width = unit.out(sides.width);
-  f.lowest = unit.out(lowest);
-  f.highest = unit.out(highest);
-  f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
-  f.mean_distance = unit.out(sum / scatter.count);
-  f.turned_deg = turned_deg(normal, scatter);
-  f.shifted = unit.out(std::fabs(height(centroid)));
-  return f;
-}
+
+private:
+  // In one order, whatever that of the caller is.
+  std::vector<Vector> points_of(std::size_t s) const
+  {
+    std::vector<Vector> result;
+    result.reserve(shapes.points(s).size());
+    for(std::uint32_t i : shapes.points(s))
+      result.push_back(vector_of(points[i]));
+    std::sort(result.begin(), result.end(),
+              [](const Vector& p, const Vector& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+    return result;
+  }
+
+  // But for its curvature and class. The patch has the points, and gets the rest.
+  Shape_facts facts_of(std::size_t s, Shape_patch& patch) const
+  {
+    const Coefficients plane = unit.in(shapes.coefficients(s));
+    const Vector normal = {plane[0], plane[1], plane[2]};
+    Shape_facts f = level.facts_of_plane(shapes.is_flipped(s) ? -normal : normal);
+    f.number_of_points = shapes.size(s);
+    if(f.number_of_points == 0)
+      return f; // of a known plane
+    const auto height = [&](const Vector& p) {
+      return std::fma(plane[0], p.x, std::fma(plane[1], p.y, std::fma(plane[2], p.z, plane[3])));
+    };
+    double sum = 0, squares = 0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+    for(const Vector& p : patch.points) {
+      const double distance = height(p);
+      sum += std::fabs(distance);
+      squares = std::fma(distance, distance, squares);
+      lowest = (std::min)(lowest, level.height(p));
+      highest = (std::max)(highest, level.height(p));
+    }
+    const Scatter scatter = scatter_of(patch.points);
+    const Eigen_system eigen = eigen_system(scatter.matrix);
+    patch.centroid = patch.points[0] + scatter.centroid;
+    patch.normal = eigen.vector[0];
+    const Rectangle_sides sides = rectangle_of(s, patch.points);
+    patch.length = sides.length;
+    patch.spacing =
+      (std::max)(std::sqrt(sides.length * sides.width / scatter.count), sides.length / scatter.count); // or on a line
+    f.centroid = unit.out(Position{patch.centroid.x, patch.centroid.y, patch.centroid.z});
+    f.length = unit.out(sides.length);
+    f.width = unit.out(sides.width);
+    f.area = (std::min)(areas.areas[s], f.length * f.width); // equal up to rounding, if the outline is a rectangle
+    f.lowest = unit.out(lowest);
+    f.highest = unit.out(highest);
+    f.rms_distance = unit.out(std::sqrt(squares / scatter.count));
+    f.mean_distance = unit.out(sum / scatter.count);
+    f.turned_deg = turned_deg(normal, eigen, scatter.count);
+    f.shifted = unit.out(std::fabs(height(patch.centroid)));
+    return f;
+  }
+
+  // Around points and outline, which may be wider than the points where it ends at other shapes.
+  Rectangle_sides rectangle_of(std::size_t s, const std::vector<Vector>& members) const
+  {
+    const auto point_3 = [](const Vector& p) { return outlines::Kernel::Point_3(p.x, p.y, p.z); };
+    const outlines::Plane_frame frame(shapes, s, point_3(members[0]));
+    std::vector<Flat_point> flat;
+    flat.reserve(members.size());
+    for(const Vector& p : members)
+      flat.push_back(frame.flat(point_3(p)));
+    for(const Indexed_polygon& polygon : areas.polygons[s])
+      for(std::uint32_t corner : polygon.outer)
+        flat.push_back(frame.flat(unit.in(outlines::point_at(areas.points[corner]))));
+    return smallest_rectangle(flat);
+  }
+
+  void classify(const std::vector<Shape_patch>& patches, std::vector<Shape_facts>& facts) const
+  {
+    constexpr double spacings = 4; // of a column: fewer would miss what is above
+    std::vector<double> spacing;
+    for(const Shape_patch& patch : patches)
+      if(patch.spacing > 0)
+        spacing.push_back(patch.spacing);
+    if(spacing.empty())
+      return;
+    Point_columns columns = level.columns(spacings * outlines::median(spacing));
+    for(std::size_t s = 0; s < patches.size(); ++s)
+      for(const Vector& p : patches[s].points)
+        columns.add(p, s);
+    columns.sort(patches.size());
+    for_each_in_parallel(facts.size(), [&](std::size_t s) {
+      if(facts[s].number_of_points > 0)
+        facts[s].shape_class = columns.class_of(s, facts[s].dip_deg);
+    });
+  }
+
+  Vector vector_of(const Position& p) const { return {unit.in(p[0]), unit.in(p[1]), unit.in(p[2])}; }
+
+  const std::vector<Position>& points;
+  const outlines::Polygon_table& areas;
+  outlines::Shapes shapes;
+  outlines::Unit unit;
+  Level_frame level;
+};
 
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
-                                                               const Shapes_data& data, const Vector& up)
+                                                               const Shapes_data& data, const Vector& up,
+                                                               const outlines::Polygon_table& areas)
 {
-  const outlines::Shapes shapes(data);
-  const outlines::Unit unit(points, shapes);
-  const Level_frame level(up);
-  std::vector<Shape_facts> facts(shapes.number_of_shapes());
-  for_each_in_parallel(facts.size(), [&](std::size_t s) { facts[s] = facts_of_shape(points, shapes, unit, level, s); });
-  return facts;
+  return Facts_maker(points, data, up, areas).facts();
 }
 
 } // namespace CGAL::Tandem::internal::facts
