@@ -192,7 +192,8 @@ INTEGERS = "integers before other numbers"
     *(("xyz gray", 3, "x y z intensity", digits, scale) for digits, scale in ((4, 1), (0, 1000), (None, 1))),
     *((f"{order} {behind}", 4, "x y z intensity", 4, 1) for order in ("xyz", "sorted", "far", "level", "wall")
       for behind in ("ratio", "gray")),
-    ("sorted gray", 5, "x y z intensity", 0, 1000), ("far ratio", 5, "x y z intensity", None, 1), ("xyz gray gray gray", 6, "x y z r g b", 0, 1000),
+    ("sorted gray", 5, "x y z intensity", 0, 1000), ("far ratio", 5, "x y z intensity", None, 1),
+    ("xyz gray gray gray", 6, "x y z r g b", 0, 1000),
     ("xyz gray ring week", 7, "x y z _ _ _ .column 4: integers; column 5: integers; column 6: numbers.", 3, 1),
     ("xyz code", 8, "x y z _ .column 4: words.", 3, 1),
     # Something else is before them.
