@@ -92,7 +92,7 @@ def test_the_same_bytes(p, written, n, normals):
 
 @table("pattern, inputs, names", [
     # Inputs that do not have the same; a part of the shapes
-    ("left out +normals, intensity, classification: not", "{} last.las", OUTPUTS),
+    ("left out +normals, colors, intensity, classification: not", "{} last.las", OUTPUTS),
     ("selection +[12] of [0-9]+ shapes.*hash", "{} --near-direction 0,0,1 --largest 2", OUTPUTS[:-1]),
     # A tile without points, of which a process has no other
     ("warning: class_none.ply: has no points", " ".join(CLASSES), CLASSES),
