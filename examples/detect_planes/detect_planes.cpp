@@ -264,7 +264,7 @@ private:
          [this](std::ostream& out, const Described_shapes& d, const Run& run) { write_lines(out, d, run, options); });
     open(o.view, &write_view);
     open(o.report, [](std::ostream& out, const Described_shapes& d, const Run& run) {
-      write_report(out, d.shapes, run, run.processes == 1 ? d.surface() : Json()); // else points are elsewhere
+      write_report(out, d.shapes, run, d.surface());
     });
     if(!o.mesh.empty())
       mesh.emplace(o.mesh);

@@ -93,6 +93,8 @@ const Json& Described_shapes::table() const
 
 Json Described_shapes::surface() const
 {
+  if(!table_)
+    return {};
   double area = 0, curved_area = 0;
   std::size_t curved_shapes = 0;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {

@@ -50,7 +50,8 @@ public:
   // a word for each shape, null or not a number if it has none. Neighbors that are not selected count, too.
   const Json& table() const;
 
-  // The area of all shapes, and how much of it is curved.
+  // The area of all shapes, and how much of it is curved; null where no other output has made the table, which may take
+  // longer than the detection.
   Json surface() const;
 
   const Point_set& points;

@@ -113,8 +113,8 @@ def test_flat_only(p):
     yard = np.column_stack([place, np.zeros(len(place))])
     points = np.concatenate([tank, yard]) + random.normal(0, .004, (len(tank) + len(yard), 3))
     p.write({"tank.xyz": text_of(points)})
-    p(0, NOTHING, "tank.xyz --report all.json --quiet")
-    p(0, "--flat-only", "tank.xyz --flat-only --report flat.json --labels flat.labels")
+    p(0, NOTHING, "tank.xyz --report all.json --shapes all.csv --quiet")
+    p(0, "--flat-only", "tank.xyz --flat-only --report flat.json --shapes flat.csv --labels flat.labels")
     surface, flat = p.json("all.json")["surface"], p.json("flat.json")["surface"]
     assert abs(surface["curved_area"] - TURN * 10 * 8) < 30 and surface["curved_shapes"] >= 10
     assert abs(surface["area"] - surface["curved_area"] - (900 - TURN * 50)) < 30
