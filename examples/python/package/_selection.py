@@ -126,9 +126,10 @@ def _measured(
         return shapes
     table = shapes.table()
     is_kept = np.full(len(shapes), True)
+    columns = {"minimum_area": "area", "minimum_extent": "length", "minimum_width": "width"}
     for name, number in least.items():
         if number:  # what has no size is at least 0
-            is_kept &= table[{"minimum_area": "area", "minimum_extent": "length", "minimum_width": "width"}[name]] >= number
+            is_kept &= table[columns[name]] >= number
     if flat_only:
         is_kept &= ~(table["curved"] > 0.5)
     if classes is not None:

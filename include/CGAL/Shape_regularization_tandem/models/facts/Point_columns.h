@@ -112,14 +112,6 @@ private:
       f(*span);
   }
 
-  // The span of the shape in a column, or nothing.
-  const Span* span_of(std::size_t shape, const Column& column) const
-  {
-    const Span* result = nullptr;
-    for_each_span(column, [&](const Span& s) { result = s.shape == shape ? &s : result; });
-    return result;
-  }
-
   // The highest span of a column, or nothing.
   const Span* highest_in(const Column& column) const
   {
@@ -132,21 +124,18 @@ private:
   Surroundings surroundings(std::size_t shape) const
   {
     Surroundings s;
-    std::array<std::map<int, std::pair<int, int>>, 2> rows; // along both axes: first and last column
+    using Ends = std::pair<const Span*, const Span*>;
+    std::array<std::map<int, Ends>, 2> rows; // at a place of one axis, along the other one
     for(std::size_t i : of_shape[shape]) {
       const Span& own = spans[i];
       add_column(own, s);
-      for(std::size_t axis : {0, 1}) {
-        const int along = own.column[1 - axis];
-        auto& [first, last] = rows[axis].emplace(own.column[axis], std::pair(along, along)).first->second;
-        first = (std::min)(first, along);
-        last = (std::max)(last, along);
-      }
+      for(std::size_t along : {0, 1}) // along which columns ascend
+        rows[along].emplace(own.column[1 - along], Ends(&own, &own)).first->second.second = &own;
     }
-    for(std::size_t axis : {0, 1})
-      for(const auto& [row, ends] : rows[axis]) {
-        add_end(shape, axis, row, ends.first, -1, s);
-        add_end(shape, axis, row, ends.second, 1, s);
+    for(std::size_t along : {0, 1})
+      for(const auto& row : rows[along]) {
+        add_end(*row.second.first, along, -1, s);
+        add_end(*row.second.second, along, 1, s);
       }
     return s;
   }
@@ -175,15 +164,12 @@ private:
     }
   }
 
-  // Of the row of this number along the other axis.
-  void add_end(std::size_t shape, std::size_t axis, int row, int end, int step, Surroundings& s) const
+  // What is there, and beyond.
+  void add_end(const Span& own, std::size_t along, int step, Surroundings& s) const
   {
-    Column column;
-    column[axis] = row;
-    column[1 - axis] = end;
-    const Span& own = *span_of(shape, column);
+    Column column = own.column;
     const Span *highest = &own, *beyond = nullptr;
-    for(int i = 0; i <= beside; ++i, column[1 - axis] += step) {
+    for(int i = 0; i <= beside; ++i, column[along] += step) {
       beyond = highest_in(column);
       highest = beyond != nullptr && beyond->highest > highest->highest ? beyond : highest;
     }
