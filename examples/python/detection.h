@@ -52,7 +52,7 @@ struct Settings {
 // Criteria; those that are not given hold for all shapes.
 struct Selection {
   std::optional<long long> largest;
-  std::optional<double> minimum_area, minimum_extent, near_angle;
+  std::optional<double> near_angle;
   std::optional<std::array<double, 3>> near_direction, orthogonal_direction;
 };
 

@@ -195,8 +195,6 @@ void add_selection(py::module_& module)
 {
   add_arguments<Selection>(module, "Selection", "default_selection")
     .def_readwrite("largest", &Selection::largest)
-    .def_readwrite("minimum_area", &Selection::minimum_area)
-    .def_readwrite("minimum_extent", &Selection::minimum_extent)
     .def_readwrite("near_angle", &Selection::near_angle)
     .def_readwrite("near_direction", &Selection::near_direction)
     .def_readwrite("orthogonal_direction", &Selection::orthogonal_direction);

@@ -27,8 +27,6 @@ Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection&
   const auto vector = [](const std::array<double, 3>& d) { return Kernel::Vector_3(d[0], d[1], d[2]); };
   const auto list = np::point_map(Point_map{points.points})
                       .largest(s.largest.value_or((std::max)(shapes.number_of_shapes(), std::size_t(1))))
-                      .minimum_area(s.minimum_area.value_or(0))
-                      .minimum_extent(s.minimum_extent.value_or(0))
                       .near_angle(s.near_angle.value_or(10)); // the default of the library
   if(s.near_direction && s.orthogonal_direction)
     return select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction)));

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence
+from typing import Dict, List, Optional, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,8 @@ import numpy.typing as npt
 from . import _tandem
 from ._arguments import _count, _direction, _normals, _number, _numbers, _rows, _set, _switch, _tolerances
 from ._tandem import PlanarShapes
+
+_CLASSES = ("floor", "ceiling", "wall", "roof", "ground", "slanted")
 
 
 def select_shapes(
@@ -61,10 +63,11 @@ def select_shapes(
         if _switch("flat_only", flat_only) or any(criterion is not None for criterion in criteria):
             raise ValueError("indices are not together with criteria: select twice")
         return _tandem.select_shapes(shapes, _indices(indices, len(shapes)))
-    shapes = _with_facts(shapes, minimum_width, _switch("flat_only", flat_only), classes)
+    sizes = {"minimum_area": minimum_area, "minimum_extent": minimum_extent, "minimum_width": minimum_width}
+    shapes = _measured(shapes, sizes, _switch("flat_only", flat_only), classes)
     selection = _tandem.default_selection()
     _set(selection, _count, largest=largest)
-    _set(selection, _number, minimum_area=minimum_area, minimum_extent=minimum_extent, near_angle=near_angle)
+    _set(selection, _number, near_angle=near_angle)
     _set(selection, _direction, near_direction=near_direction, orthogonal_direction=orthogonal_direction)
     return _tandem.select_shapes_by(shapes, selection)
 
@@ -109,19 +112,26 @@ def label_points(
     return _tandem.label_points(shapes, rows, given, labeling)
 
 
-def _with_facts(
-    shapes: PlanarShapes, minimum_width: Optional[float], flat_only: bool, classes: Optional[Sequence[str]]
+def _measured(
+    shapes: PlanarShapes, sizes: Dict[str, Optional[float]], flat_only: bool, classes: Optional[Sequence[str]]
 ) -> PlanarShapes:
-    if minimum_width is None and not flat_only and classes is None:
+    """Those that fit criteria on columns of their table."""
+    least = {name: _number(name, size) for name, size in sizes.items() if size is not None}
+    for name, number in least.items():
+        if number is None or not 0 <= number < float("inf"):
+            raise ValueError(f"{name} is {number}, must be at least 0 and finite")
+    if classes is not None and (isinstance(classes, str) or not set(classes) <= set(_CLASSES)):
+        raise ValueError(f"classes must be a list of any of {', '.join(_CLASSES)}, not {classes!r}")
+    if not least and not flat_only and classes is None:
         return shapes
-    names = ("floor", "ceiling", "wall", "roof", "ground", "slanted")
-    if classes is not None and (isinstance(classes, str) or any(name not in names for name in classes)):
-        raise ValueError(f"classes must be a list of any of {', '.join(names)}, not {classes!r}")
-    width = _number("minimum_width", minimum_width) or 0.0
-    if not 0 <= width < float("inf"):
-        raise ValueError(f"minimum_width is {width}, must be at least 0 and finite")
     table = shapes.table()
-    is_kept = (table["width"] >= width) & ~(flat_only & (table["curved"] > 0.5))
+    is_kept = np.full(len(shapes), True)
+    columns = {"minimum_area": "area", "minimum_extent": "length", "minimum_width": "width"}
+    for name, number in least.items():
+        if number:  # what has no size is at least 0
+            is_kept &= table[columns[name]] >= number
+    if flat_only:
+        is_kept &= ~(table["curved"] > 0.5)
     if classes is not None:
         is_kept &= np.isin(table["class"], list(classes))
     return _tandem.select_shapes(shapes, np.flatnonzero(is_kept).tolist())

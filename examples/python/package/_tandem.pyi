@@ -86,8 +86,6 @@ class Settings:
 
 class Selection:
     largest: Optional[int]
-    minimum_area: Optional[float]
-    minimum_extent: Optional[float]
     near_angle: Optional[float]
     near_direction: Optional[Tuple[float, float, float]]
     orthogonal_direction: Optional[Tuple[float, float, float]]

@@ -29,13 +29,15 @@ public:
     : x(x), y(y), up(up), width(width), clearance(2 * width)
   {}
 
+  static bool is_upright(double dip_deg) { return dip_deg >= 90 - level_deg; }
+
   // A point of a shape, before the first question. Points that are too far away are left out.
-  void add(const Vector& p, std::size_t shape)
+  void add(const Vector& p, std::size_t shape, bool is_upright)
   {
     constexpr double largest = 1 << 30;
     const double i = std::floor(dot(x, p) / width), j = std::floor(dot(y, p) / width), height = dot(up, p);
     if(std::fabs(i) <= largest && std::fabs(j) <= largest)
-      spans.push_back({{int(i), int(j)}, shape, height, height});
+      spans.push_back({{int(i), int(j)}, shape, is_upright, height, height});
   }
 
   // Joins the points of a shape in a column.
@@ -59,15 +61,15 @@ public:
   // Of a shape whose plane has this angle with the level.
   Shape_class class_of(std::size_t shape, double dip_deg) const
   {
-    constexpr double level_deg = 10, steepest_ground_deg = 25;
-    if(dip_deg >= 90 - level_deg)
+    constexpr double steepest_ground_deg = 25;
+    if(is_upright(dip_deg))
       return Shape_class::wall;
     if(of_shape[shape].empty())
       return Shape_class::none;
     const Surroundings s = surroundings(shape);
     const bool is_level = dip_deg <= level_deg;
     const bool is_covered = 2 * s.covered > s.columns, has_floor = 2 * s.raised > s.columns;
-    const bool is_top = s.lower > s.walled && 4 * s.lower >= s.ends;
+    const bool is_top = s.lower > s.higher && 4 * s.lower >= s.ends;
     if(is_covered)
       return !is_level                           ? Shape_class::slanted
              : has_floor && s.headroom < s.depth ? Shape_class::ceiling
@@ -87,6 +89,7 @@ private:
   struct Span {
     Column column;
     std::size_t shape;
+    bool is_upright;
     double lowest, highest;
   };
 
@@ -96,7 +99,8 @@ private:
     std::size_t covered = 0, raised = 0; // with other points above, and below
     double headroom = 0, depth = 0;      // to the closest points, where there are some above and below
     std::size_t ends = 0;                // of rows of columns along both axes
-    std::size_t walled = 0, lower = 0;   // with higher points there; else with lower points only beyond
+    std::size_t higher = 0, walled = 0;  // with higher points there, and with those of an upright shape
+    std::size_t lower = 0;               // without higher points, and with lower points only beyond
   };
 
   template <class Function>
@@ -108,40 +112,30 @@ private:
       f(*span);
   }
 
-  // The span of the shape in a column, or nothing.
-  const Span* span_of(std::size_t shape, const Column& column) const
+  // The highest span of a column, or nothing.
+  const Span* highest_in(const Column& column) const
   {
     const Span* result = nullptr;
-    for_each_span(column, [&](const Span& s) { result = s.shape == shape ? &s : result; });
-    return result;
-  }
-
-  // Of the points of a column, -HUGE_VAL if it has none.
-  double highest_in(const Column& column) const
-  {
-    double result = -HUGE_VAL;
-    for_each_span(column, [&](const Span& s) { result = (std::max)(result, s.highest); });
+    for_each_span(column,
+                  [&](const Span& s) { result = result == nullptr || s.highest > result->highest ? &s : result; });
     return result;
   }
 
   Surroundings surroundings(std::size_t shape) const
   {
     Surroundings s;
-    std::array<std::map<int, std::pair<int, int>>, 2> rows; // along both axes: first and last column
+    using Ends = std::pair<const Span*, const Span*>;
+    std::array<std::map<int, Ends>, 2> rows; // at a place of one axis, along the other one
     for(std::size_t i : of_shape[shape]) {
       const Span& own = spans[i];
       add_column(own, s);
-      for(std::size_t axis : {0, 1}) {
-        const int along = own.column[1 - axis];
-        auto& [first, last] = rows[axis].emplace(own.column[axis], std::pair(along, along)).first->second;
-        first = (std::min)(first, along);
-        last = (std::max)(last, along);
-      }
+      for(std::size_t along : {0, 1}) // along which columns ascend
+        rows[along].emplace(own.column[1 - along], Ends(&own, &own)).first->second.second = &own;
     }
-    for(std::size_t axis : {0, 1})
-      for(const auto& [row, ends] : rows[axis]) {
-        add_end(shape, axis, row, ends.first, -1, s);
-        add_end(shape, axis, row, ends.second, 1, s);
+    for(std::size_t along : {0, 1})
+      for(const auto& row : rows[along]) {
+        add_end(*row.second.first, along, -1, s);
+        add_end(*row.second.second, along, 1, s);
       }
     return s;
   }
@@ -170,25 +164,24 @@ private:
     }
   }
 
-  // Of the row of this number along the other axis.
-  void add_end(std::size_t shape, std::size_t axis, int row, int end, int step, Surroundings& s) const
+  // What is there, and beyond.
+  void add_end(const Span& own, std::size_t along, int step, Surroundings& s) const
   {
-    Column column;
-    column[axis] = row;
-    column[1 - axis] = end;
-    const Span own = *span_of(shape, column);
-    double highest = -HUGE_VAL, beyond = -HUGE_VAL;
-    for(int i = 0; i <= beside; ++i, column[1 - axis] += step) {
+    Column column = own.column;
+    const Span *highest = &own, *beyond = nullptr;
+    for(int i = 0; i <= beside; ++i, column[along] += step) {
       beyond = highest_in(column);
-      highest = (std::max)(highest, beyond);
+      highest = beyond != nullptr && beyond->highest > highest->highest ? beyond : highest;
     }
-    const bool is_walled = highest > own.highest + clearance;
+    const bool is_higher = highest->highest > own.highest + clearance;
     ++s.ends;
-    s.walled += is_walled ? 1 : 0;
-    s.lower += !is_walled && beyond != -HUGE_VAL && beyond < own.lowest - clearance ? 1 : 0;
+    s.higher += is_higher ? 1 : 0;
+    s.walled += is_higher && highest->is_upright ? 1 : 0;
+    s.lower += !is_higher && beyond != nullptr && beyond->highest < own.lowest - clearance ? 1 : 0;
   }
 
-  static constexpr int beside = 2; // columns away: behind a wall at the border
+  static constexpr double level_deg = 10; // of angles that are level, or upright
+  static constexpr int beside = 2;        // columns away: behind a wall at the border
 
   Vector x, y, up;
   double width;

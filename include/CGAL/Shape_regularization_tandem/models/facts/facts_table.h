@@ -274,7 +274,7 @@ private:
     Point_columns columns = level.columns(spacings * outlines::median(spacing));
     for(std::size_t s = 0; s < patches.size(); ++s)
       for(const Vector& p : patches[s].points)
-        columns.add(p, s);
+        columns.add(p, s, Point_columns::is_upright(facts[s].dip_deg));
     columns.sort(patches.size());
     for_each_in_parallel(facts.size(), [&](std::size_t s) {
       if(facts[s].number_of_points > 0)
