@@ -57,6 +57,8 @@ inline std::optional<Shapes> select(const Point_set& points, const Options& o, R
   if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
     warnings.push_back(
       sentence("none of the ", run.detected_shapes, " shapes fits ", run.selection, ": the outputs have no shapes"));
+  if(shapes.number_of_shapes() == all->number_of_shapes())
+    all.reset();
   return all;
 }
 
@@ -201,6 +203,9 @@ public:
       run.warnings.push_back(options.output + ": the points of the inputs do not have the same format and fields; the "
                                               "output has coordinates, colors, intensity and classification "
                                               "(--output-directory keeps the fields of each input)");
+    if(const std::size_t count = las_leaves_out(); count > 0)
+      run.warnings.push_back(
+        text_of("points that are not finite, which LAS cannot have, are not in the output: ", count));
     for(std::size_t i = 0; i < writers.size(); ++i) {
       check_signals();
       files[i].write([&](std::ostream& out) { writers[i](out, described, run); });
@@ -288,6 +293,15 @@ private:
   {
     const std::string extension = output_extension(path);
     write_cloud(out, {cloud.points, parts, shapes, extension, options}, extension);
+  }
+
+  // The number of points that are not in an output.
+  std::size_t las_leaves_out() const
+  {
+    const auto is_left_out = [this](Point_set::Index i) { return !is_finite(cloud.points.point(i)); };
+    return !is_las(output_extension(options.output))
+             ? 0
+             : std::size_t(std::count_if(cloud.points.begin(), cloud.points.end(), is_left_out));
   }
 
   // Whether fields of an input in the format of --output are not in it.

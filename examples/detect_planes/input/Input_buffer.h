@@ -139,7 +139,14 @@ inline bool is_comment(std::string_view row)
 // them is no row of numbers.
 inline char separator_of(std::string_view row)
 {
-  return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' ';
+  bool is_quoted = false;
+  char separator = ' ';
+  for(char c : row) {
+    is_quoted = is_quoted != (c == '"');
+    if(!is_quoted && (c == ';' || (c == ',' && separator == ' ')))
+      separator = c;
+  }
+  return separator;
 }
 
 using Cells = std::vector<std::string_view>;
@@ -151,7 +158,9 @@ inline Cells values_of(std::string_view row, char separator)
   Cells values;
   const auto is_end = [=](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
   for(row.remove_prefix(first_not_blank(row)); !row.empty(); row.remove_prefix(first_not_blank(row))) {
-    const std::size_t quote = row.front() == '"' ? row.find('"', 1) : row.npos;
+    std::size_t quote = row.front() == '"' ? row.find('"', 1) : row.npos;
+    while(quote < row.size() && row.substr(quote + 1, 1) == "\"") // two stand for one
+      quote = row.find('"', quote + 2);
     const auto first = row.begin() + std::ptrdiff_t(quote == row.npos ? 0 : quote);
     std::string_view value = row.substr(0, std::size_t(std::find_if(first, row.end(), is_end) - row.begin()));
     row.remove_prefix((std::min)(value.size() + 1, row.size()));

@@ -217,6 +217,8 @@ struct Las_frame {
 // How the numbers of a record are written.
 enum class Encoding { little_endian, big_endian, text };
 
+constexpr char end_of_value = '\n'; // in records of texts, where no row has it
+
 // The points of a file as they are there: an output of the same format gets them again.
 struct Input_records {
   std::string format;                   // as an extension
@@ -230,7 +232,7 @@ struct Input_records {
   bool has_normals = false, has_colors = false;
   Encoding encoding = Encoding::little_endian;
   std::size_t real_size = 4; // of the coordinates, in bytes
-  std::string bytes;         // of all points; of a text values, with a semicolon behind each
+  std::string bytes;         // of all points; of a text values, with end_of_value behind each
   std::vector<std::size_t> ends;
 
   void add(std::string_view record)

@@ -64,7 +64,7 @@ void read_descriptions(const std::string& record, const std::string& label, Las_
       h.dimensions.push_back({name, "UIUIUIUIFF"[type - 1], size, position,
                               (options & scale_bit) != 0 ? number_at<double>(d + 112) : 1,
                               (options & offset_bit) != 0 ? number_at<double>(d + 136) : 0});
-    if(name == label) {
+    if(name == label && h.label_size == 0) {
       h.label_position = position;
       h.label_size = size;
     } else {
@@ -119,7 +119,7 @@ void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
     if(length <= in.left())
       record.resize(record_header + std::size_t(length));
     read_exactly(in, record.data() + record_header, std::size_t(length), "a record behind the LAS points");
-    if(!is_of_this_file(record))
+    if(!is_of_this_file(record) && !describes_bytes(record)) // which the header has
       records.tail += record;
   }
 }
@@ -136,6 +136,16 @@ std::size_t las_color_position(int point_format)
 {
   constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
   return positions[point_format];
+}
+
+std::string without_bounds(std::string descriptions)
+{
+  constexpr std::size_t options = 3, smallest = 64, scale = 112; // their places
+  for(std::size_t first = 0; first + las_description <= descriptions.size(); first += las_description) {
+    descriptions[first + options] = char(descriptions[first + options] & ~6); // that there are such values
+    std::fill_n(descriptions.begin() + std::ptrdiff_t(first + smallest), scale - smallest, '\0');
+  }
+  return descriptions;
 }
 
 std::string describe_las_bytes(int type, int options, const std::string& name, const std::string& text)
@@ -254,7 +264,7 @@ void describe_records(const Las_header& h, Input_records& records)
 {
   records.has_others = true;
   const auto length = std::uint16_t(h.record_length - h.label_size), ordered = little_endian(length);
-  records.layout = text_of(h.minor_version, ' ', h.point_format, ' ', length, h.descriptions);
+  records.layout = text_of(h.minor_version, ' ', h.point_format, ' ', length, without_bounds(h.descriptions));
   records.head = {h.bytes, h.descriptions};
   std::memcpy(&records.head[0][105], &ordered, sizeof ordered);
   records.head.insert(records.head.end(), h.records.begin(), h.records.end());

@@ -294,7 +294,7 @@ void read_text(Input_buffer& in, Text_lines& lines, const Used_fields& used, Clo
     const Cells cells = values_of(lines.row().text, ' ');
     for(const Field* f : used.kept)
       for(std::size_t c = f->first; c < f->first + f->count; ++c)
-        (records->bytes += cells[c]) += ';';
+        (records->bytes += cells[c]) += end_of_value;
     records->add("");
   }
   if(lines.next_filled())

@@ -240,7 +240,7 @@ public:
   std::vector<double> numbers; // one of each property: of a list that of its items
   std::vector<double> list;    // the items of the wanted one
   std::vector<bool> kept;      // the properties that the record has
-  std::string record;          // the bytes of the row; of a text its values, with a semicolon behind each
+  std::string record;          // the bytes of the row; of a text its values, with end_of_value behind each
 
 private:
   std::uint64_t read_count(const Property& p)
@@ -284,7 +284,7 @@ private:
     for(int c = in.sgetc(); word.size() < most && c != eof && !is_blank(c); c = next_byte())
       word += char(c);
     if(is_kept)
-      (record += word) += ';';
+      (record += word) += end_of_value;
   }
 
   // 0 if it is not wanted.
@@ -458,7 +458,8 @@ void describe_records(Byte_source& file, const Header& header, const std::vector
     const bool is_before = &element < &*points;
     records.head[is_before ? 0 : 2] +=
       text_of("element ", element.name, ' ', element.count, '\n', joined_lines(element.lines));
-    (is_before ? bytes_before : records.tail) += bytes_of(file, places[e], places[e + 1], is_text);
+    if(element.count > 0)
+      (is_before ? bytes_before : records.tail) += bytes_of(file, places[e], places[e + 1], is_text);
   }
   records.head[0] += "element " + points->name + ' ';
   records.head[2] += "end_header\n" + bytes_before;

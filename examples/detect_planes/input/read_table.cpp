@@ -313,11 +313,14 @@ void read_head_line(const Text_row& row, Table_head& head)
     head.columns = columns;
     head.names = names;
   } else if(has_note || !columns.empty()) {
-    return;
+    if(!has_note)
+      head.names = names;
   } else if(!are_names(cells)) {
     head.count = parse_count(row, cells.size() == 1 ? cells[0] : "");
   } else if(std::exchange(head.has_skipped_names, true) || !has_option) {
     fail_at_row(row.number, "is a line of names without x, y and z (name the columns by --columns)");
+  } else {
+    head.names = names;
   }
 }
 
@@ -405,15 +408,15 @@ std::vector<std::size_t> kept_columns(const Table_head& head, const Input_settin
   records.head = {""};
   for(std::size_t c = 0; c < (std::max)(values, head.columns.size()); ++c) {
     const Column column = c < head.columns.size() ? head.columns[c] : Column::none;
-    const bool has_name = head.source == Source::header && c < head.names.size();
+    const bool has_name = c < head.names.size();
     const std::string name = !has_name ? name_of(column) : head.names[c].empty() ? "_" : head.names[c];
     if(!keeps_field(name, column, settings, notes))
       continue;
     kept.push_back(c);
-    records.head[0] += name + ';';
+    records.head[0] += name + end_of_value;
   }
   records.encoding = Encoding::text;
-  records.layout = records.head[0];
+  records.layout = text_of(records.head[0], head.channel_unit);
   return kept;
 }
 
@@ -431,7 +434,9 @@ public:
 
   void add(const Text_row& row)
   {
-    const Cells cells = values_of(row.text);
+    Cells cells = values_of(row.text);
+    if(cells.size() + 1 == columns.size() && (row.text.back() == ',' || row.text.back() == ';'))
+      cells.emplace_back(); // the last value is empty
     parse(row, cells);
     Point_row point = row_of(values);
     for(std::size_t i = 0; i < 3; ++i)
@@ -439,7 +444,7 @@ public:
     point.classification = clamped<std::uint8_t>(values[std::size_t(Column::classification)]);
     if(builder.add(point) && notes.records) {
       for(std::size_t c : kept)
-        (notes.records->bytes += c < cells.size() ? cells[c] : "") += ';';
+        (notes.records->bytes += c < cells.size() ? cells[c] : "") += end_of_value;
       notes.records->add("");
     }
     if(fields.normal)

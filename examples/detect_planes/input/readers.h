@@ -337,7 +337,8 @@ inline void check_room(std::uint64_t points, std::uint64_t room)
 
 // --- The records of points, for an output of the same format.
 
-// Whether they keep a field, which the output has nothing in place of; describes it if so. column: that it is, or `none`.
+// Whether the records keep a field of this name and column: not if the output has another one in its place. A field that
+// they keep is described.
 inline bool keeps_field(const std::string& name, Column column, const Input_settings& settings, Input_notes& notes)
 {
   const bool is_normal = column >= Column::nx && column <= Column::nz;
@@ -412,6 +413,9 @@ std::size_t las_color_position(int point_format);
 
 // What describes some extra bytes; type and options as files have them.
 std::string describe_las_bytes(int type, int options, const std::string& name, const std::string& text);
+
+// Descriptions without the smallest and largest values, which are those of one file.
+std::string without_bounds(std::string descriptions);
 
 // add(record): of each point that LASzip reads, as a LAS file has it.
 void read_laz_points(const std::string& path, const Las_header& header, const std::function<void(const char*)>& add);

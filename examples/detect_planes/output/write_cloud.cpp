@@ -49,13 +49,17 @@ std::vector<Output_field> fields_of(const Output_points& cloud, const Field_name
   const Input_records* const r = cloud.records;
   std::vector<Output_field> fields;
   const auto add = [&](Column first, std::size_t count, char type, std::size_t size) {
-    for(std::size_t c = std::size_t(first); c < std::size_t(first) + count; ++c) {
-      std::string name = c < names.size() ? names[c] : cloud.label_property;
-      if(name.empty())
-        continue;
-      while(r != nullptr && is_in(name, r->names)) // of something else
-        name += '_';
-      fields.push_back({name, type, size, Column(c)});
+    const std::size_t before = fields.size();
+    std::string suffix; // where a name is that of something else
+    for(bool is_taken = true; std::exchange(is_taken, false); suffix += '2') {
+      fields.resize(before);
+      for(std::size_t c = std::size_t(first); c < std::size_t(first) + count; ++c) {
+        const std::string name = c < names.size() ? names[c] : cloud.label_property;
+        if(name.empty())
+          continue;
+        fields.push_back({name + suffix, type, size, Column(c)});
+        is_taken = is_taken || (r != nullptr && is_in(name + suffix, r->names));
+      }
     }
   };
   const bool is_packed = names[std::size_t(Column::green)][0] == '\0';
@@ -103,17 +107,28 @@ void write_field(double number, const Output_field& field, const Write& write)
     write(number);
 }
 
-// A record of a text, which has a semicolon behind each value, with another separator. Values that are empty, or have
-// the separator in them, become others.
+// A value of a text. Where blanks separate values, it has none, and is not empty; between commas, it is in quotes where it
+// has one. Quotes in it are those of the input: two stand for one.
+void write_value(std::ostream& out, std::string_view value, char separator)
+{
+  if(separator != ' ') {
+    const bool is_quoted = value.find(separator) != value.npos || value.find("\"\"") != value.npos;
+    const char* const quote = is_quoted ? "\"" : "";
+    out << quote << value << quote;
+  } else if(value.empty()) {
+    out << "nan";
+  } else {
+    std::replace_copy_if(value.begin(), value.end(), std::ostreambuf_iterator<char>(out), &is_blank, '_');
+  }
+}
+
 void write_text(std::ostream& out, std::string_view record, char separator)
 {
-  bool is_empty = true;
-  for(char c : record) {
-    const bool is_end = c == ';', is_separator = separator == ' ' ? is_blank(c) : c == separator;
-    if(is_end && is_empty && separator == ' ')
-      out << "nan";
-    out << (is_end ? separator : is_separator ? '_' : c);
-    is_empty = is_end;
+  while(!record.empty()) {
+    const std::size_t end = record.find(end_of_value);
+    write_value(out, record.substr(0, end), separator);
+    out << separator;
+    record.remove_prefix(end + 1);
   }
 }
 

@@ -14,7 +14,7 @@ struct Bounds {
   std::uint64_t count = 0; // of the points that are finite
 };
 
-// Points whose place is none may be where they need no room on the grid.
+// The grid need not have room for points whose coordinates stand for no value.
 std::function<bool(Point_set::Index)> measured_points(const Output_points& cloud)
 {
   const auto has_none = find_property<bool>(cloud.points, no_value_name);
@@ -45,7 +45,7 @@ constexpr double largest_integer = 2147483647;
 // The nearest one that there is.
 std::int32_t integer_on_grid(double x, const Las_frame& frame, std::size_t c)
 {
-  return std::int32_t((std::max)((std::min)(integer_of(x, frame, c), largest_integer), -largest_integer));
+  return std::int32_t((std::max)((std::min)(integer_of(x, frame, c), largest_integer), -largest_integer - 1));
 }
 
 double place_on_grid(double x, const Las_frame& frame, std::size_t c)
@@ -199,7 +199,7 @@ Las_file file_of_input(const Output_points& cloud)
   const std::vector<std::string>& head = cloud.records->head;
   Las_file file;
   file.header = head[0];
-  file.descriptions = head[1];
+  file.descriptions = cloud.parts.size() == 1 ? head[1] : without_bounds(head[1]);
   file.records.assign(head.begin() + 2, head.end());
   file.point_format = file.header[104] & 0x3F;
   file.record_length = number_at<std::uint16_t>(head[0].data() + 105);

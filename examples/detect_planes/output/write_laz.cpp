@@ -54,7 +54,8 @@ void write_laz(std::ostream& out, const Output_points& cloud)
   // LASzip passes over what stands behind the points.
   std::ifstream compressed(laz.name(), std::ios::binary);
   std::string header(375, '\0');
-  compressed.read(header.data(), std::streamsize(header.size()));
+  if(!compressed.read(header.data(), std::streamsize(header.size())))
+    throw_error(laz.name().string(), ": cannot be read again", reason_of(errno));
   set_tail(header, std::filesystem::file_size(laz.name()), cloud.records);
   out << header << compressed.rdbuf();
   if(cloud.records != nullptr)

@@ -101,20 +101,16 @@ inline std::vector<int> read_inputs(const Options& o, Processes& processes, Inpu
 
 // --- Points that stand for no measurement.
 
-// The two smallest numbers of all ranks, and how many points have the smallest one.
+// The two smallest numbers of all ranks.
 struct Least {
   double first = std::numeric_limits<double>::infinity(), second = first;
-  long long count = 0;
 
   void add(double x)
   {
-    if(x < first) {
+    if(x < first)
       second = std::exchange(first, x);
-      count = 0;
-    } else if(x > first) {
+    else if(x > first)
       second = (std::min)(second, x);
-    }
-    count += x == first ? 1 : 0;
   }
 };
 
@@ -130,26 +126,20 @@ inline Sides sides_of(const Point_set& points, const Processes& processes)
   for(Least& side : sides) {
     const double own = side.first, all = -processes.largest(-own);
     side.second = -processes.largest(-(own == all ? side.second : own));
-    side.count = processes.sums({own == all ? side.count : 0})[0];
     side.first = all;
   }
   return sides;
 }
 
-// Far from all other coordinates: twice as far as these are from each other for a number that is usual for no value, and
-// much farther than any point from any other for one that several points have.
+// A number that is usual for no value, and twice as far from all other coordinates as these are from each other.
 inline bool is_no_value(const Sides& sides, std::size_t side)
 {
-  constexpr double far = 100; // times the extent of the other points
-  double extents[3];          // without the first numbers
+  double extents[3]; // without the first numbers
   for(std::size_t c = 0; c < 3; ++c)
     extents[c] = (std::max)(0., -sides[c + 3].second - sides[c].second);
   const double all = *std::max_element(extents, extents + 3), own = extents[side % 3];
   const double gap = sides[side].second - sides[side].first;
-  if(!std::isfinite(gap) || all == 0)
-    return false;
-  return (is_usual_for_none(sides[side].first) && gap > 2 * (own > 0 ? own : all)) ||
-         (sides[side].count > tandem_examples::few_zeros && gap > far * all);
+  return std::isfinite(gap) && all > 0 && is_usual_for_none(sides[side].first) && gap > 2 * (own > 0 ? own : all);
 }
 
 // Gives points that stand for no measurement no finite coordinates, so that nothing depends on them: those exactly at
@@ -184,7 +174,7 @@ public:
     const bool is_any = processes.largest(double(points.size() - hidden.size())) > 0;
     processes.together([&] {
       if(!is_any)
-        throw std::runtime_error("all points are at 0 0 0, which --ignore-zeros leaves out");
+        throw std::runtime_error("all points are at 0 0 0, or have coordinates that stand for no value");
     });
   }
 

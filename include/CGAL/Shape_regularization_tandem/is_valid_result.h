@@ -28,8 +28,8 @@ detection.
 
 Returns `true` only if each point is in at most one shape and within the tolerances of it, shapes are large enough and
 connected, parameters are within their ranges, and relations are exactly those of the planes. The counts of points and
-shapes of the statistics, the coverage, and the mean distance, up to a thousandth of `maximum_distance`, have to be those
-of the points; of a result of `select_shapes()`, the mean distance is that of all shapes, and not measured again.
+shapes of the statistics, the coverage, and the mean distance, up to `Statistics::grid_step`, have to be those of the
+points; of a result of `select_shapes()`, the mean distance is that of all shapes, and not measured again.
 Uncertainties and other statistics are not. The function cannot tell whether the same shapes were detected with other
 parameters.
 

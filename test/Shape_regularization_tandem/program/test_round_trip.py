@@ -3,6 +3,7 @@
 """What the input has of each point and around the points is in an output of the same format, byte for byte; the shape is
 added."""
 
+import csv
 import re
 import struct
 
@@ -295,7 +296,45 @@ def test_tables(p):
     assert p.is_same("bare.xyz", "again.xyz")
 
 
+@table("head, row, out", [
+    ("x,y,z,r", "5.5", "x,y,z,r,nx,ny,nz,r2,g2,b2,shape"), ("x,y,z,nx", "7", "x,y,z,nx,nx2,ny2,nz2,r,g,b,shape"),
+    ('x;y;z;"a;b";v', '"c;d, e";1,5', "x,y,z,a;b,v,nx,ny,nz,r,g,b,shape"), ("x,y,z,v", "", "x,y,z,v,nx,ny,nz,r,g,b,shape"),
+    ("x,y,z,note", '"say ""hi"", you"', "x,y,z,note,nx,ny,nz,r,g,b,shape")])
+def test_names_of_something_else(p, head, row, out):
+    """Fields that are added have other names as a whole; separators in quotes are none."""
+    separator = head[1]
+    rows = [separator.join([f"{x:.3f}", f"{y:.3f}", f"{z:.3f}", row]) for x, y, z in POINTS]
+    p.write({"odd.csv": "\n".join([head, *rows]) + "\n"})
+    p(0, NOTHING, "odd.csv E --quiet --output out.csv")
+    names, *lines = csv.reader(p.lines("out.csv"))
+    values, = csv.reader([row], delimiter=separator) if row else [[""]]
+    assert ",".join(names) == out and {len(line) for line in lines} == {len(names)}
+    assert all(line[3:3 + len(values)] == values for line in lines)
+
+
+def test_names_beside_columns(p):
+    p.write({"named.xyz": "E N H quality\n" + "".join(f"{x:.3f} {y:.3f} {z:.3f} 7\n" for x, y, z in POINTS)})
+    p(0, NOTHING, ["named.xyz", "E", "--quiet", "--columns", "x y z", "--output", "out.csv"])
+    assert p.lines("out.csv")[0] == "E,N,H,quality,nx,ny,nz,r,g,b,shape"
+
+
 # --- Several inputs
+
+
+def test_descriptions_of_several_inputs(p):
+    """The smallest and largest values are those of one file; a name may be there twice."""
+    first, second = (any_las(6, 4, 16).replace(described(10, b"gain"),
+                                               described(10, b"gain", 6)[:64] + bytes([i + 1]) * 48 + bytes(80))
+                     for i in range(2))
+    p.write({"first.las": first, "second.las": second,
+             "twice.las": any_las(6, 4, 24).replace(described(10, b"gain"), described(10, b"shape"))})
+    p(0, NOTHING, "first.las second.las E --quiet --output both.las")
+    both = read_las(p.path("both.las").read_bytes())
+    assert (both.rows[:, :-4] == np.concatenate([read_las(data).rows for data in (first, second)])).all()
+    assert both.records["LASF_Spec", 4].startswith(described(10, b"gain"))
+    p(0, "replaced", "twice.las E --output out.las")
+    assert (read_las(p.path("out.las").read_bytes()).rows[:, :-4]
+            == np.delete(read_las(p.path("twice.las").read_bytes()).rows, np.s_[30:38], axis=1)).all()
 
 
 def test_several_inputs(p):

@@ -236,7 +236,7 @@ def test_columns_without_names(p, kinds, seed, columns, digits, scale):
 
 @table("value, axes, kind", [
     ("-9999", [2], "xyz"), ("-99999.00", [0, 1, 2], "far"), ("1e10", [0], "xyz"), ("-32768", [2], "far"),
-    ("0", [0, 1, 2], "far"), ("-1000.5", [1], "xyz"), ("3.4028235e38", [2], "xyz")])
+    ("0", [0, 1, 2], "far"), ("-999", [1], "xyz"), ("3.4028235e38", [2], "xyz")])
 def test_no_values(p, value, axes, kind):
     """They are counted, told, and free; the others are as without them, and no point is lost."""
     room = turned_room() + (0 if kind == "xyz" else (512345, 4512345, 200))

@@ -105,7 +105,7 @@ test_options = cases([
     (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
     (2, ": --maximum-distance auto-local and --noise both give ",
      f"cloud.ply --maximum-distance auto-local --noise r {BOUND}"),
-    (1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")])
+    (1, "all points are at 0 0 0, or have coordinates that stand for no value", "zero.xyz --ignore-zeros")])
 
 
 @table("text, noise", [("2.8e-3r^2+.001", .001 + .0028 * 25), (" r * r * 2.8e-3 - 1e-3 r + -0.05 ", .015), ("R**2", 25),

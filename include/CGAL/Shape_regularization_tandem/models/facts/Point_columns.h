@@ -31,28 +31,28 @@ public:
 
   static bool is_upright(double dip_deg) { return dip_deg >= 90 - level_deg; }
 
-  // A point of a shape, before the first question. Points that are too far away are left out.
-  void add(const Vector& p, std::size_t shape, bool is_upright)
+  // The points of a shape, before the first question. Those that are too far away are left out.
+  void add(const std::vector<Vector>& points, std::size_t shape, bool is_upright)
   {
     constexpr double largest = 1 << 30;
-    const double i = std::floor(dot(x, p) / width), j = std::floor(dot(y, p) / width), height = dot(up, p);
-    if(std::fabs(i) <= largest && std::fabs(j) <= largest)
-      spans.push_back({{int(i), int(j)}, shape, is_upright, height, height});
+    std::map<Column, Span> own;
+    for(const Vector& p : points) {
+      const double i = std::floor(dot(x, p) / width), j = std::floor(dot(y, p) / width), height = dot(up, p);
+      if(!(std::fabs(i) <= largest && std::fabs(j) <= largest))
+        continue;
+      const Column column = {int(i), int(j)};
+      Span& span = own.emplace(column, Span{column, shape, is_upright, height, height}).first->second;
+      span.lowest = (std::min)(span.lowest, height);
+      span.highest = (std::max)(span.highest, height);
+    }
+    for(const auto& entry : own)
+      spans.push_back(entry.second);
   }
 
-  // Joins the points of a shape in a column.
   void sort(std::size_t number_of_shapes)
   {
-    std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) {
-      return std::tie(s.column, s.shape, s.lowest) < std::tie(t.column, t.shape, t.lowest);
-    });
-    std::size_t last = 0;
-    for(std::size_t i = 1; i < spans.size(); ++i)
-      if(spans[i].column == spans[last].column && spans[i].shape == spans[last].shape)
-        spans[last].highest = (std::max)(spans[last].highest, spans[i].highest);
-      else
-        spans[++last] = spans[i];
-    spans.resize((std::min)(spans.size(), last + 1));
+    std::sort(spans.begin(), spans.end(),
+              [](const Span& s, const Span& t) { return std::tie(s.column, s.shape) < std::tie(t.column, t.shape); });
     of_shape.resize(number_of_shapes);
     for(std::size_t i = 0; i < spans.size(); ++i)
       of_shape[spans[i].shape].push_back(i);

@@ -19,9 +19,12 @@
 
 namespace CGAL::Tandem::internal::facts {
 
-// The points of a shape, ascending by their coordinates, and their least-squares plane.
+inline double coordinate(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+// The points of a shape, ascending along the axis on which they are longest, and their least-squares plane.
 struct Shape_patch {
   std::vector<Vector> points;
+  int axis = 0;
   Vector centroid = {0, 0, 0}, normal = {0, 0, 0};
   double length = 0, spacing = 0; // of the smallest rectangle around them, and of points that fill it evenly
 };
@@ -34,15 +37,14 @@ public:
   void add(const std::vector<Vector>& points, std::size_t shape, int exponent)
   {
     const auto index = [exponent](double x) { return std::int64_t(std::floor(std::ldexp(x, -exponent))); };
+    std::vector<Cell> own;
     for(const Vector& p : points)
-      cells.push_back({{index(p.x), index(p.y), index(p.z)}, shape});
+      own.push_back({{index(p.x), index(p.y), index(p.z)}, shape});
+    sort(own);
+    cells.insert(cells.end(), own.begin(), own.end());
   }
 
-  void sort()
-  {
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  }
+  void sort() { sort(cells); }
 
   // Twice as large; to be sorted.
   void coarsen()
@@ -73,6 +75,13 @@ public:
 
 private:
   using Cell = std::pair<std::array<std::int64_t, 3>, std::size_t>;
+
+  static void sort(std::vector<Cell>& cells)
+  {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  }
+
   std::vector<Cell> cells;
 };
 
@@ -80,7 +89,8 @@ private:
 // the spacings of their points.
 inline Shape_pairs adjacent_shapes(const std::vector<Shape_patch>& patches)
 {
-  const auto exponent = [&](std::size_t s) { return std::ilogb(patches[s].spacing) + 2; };
+  constexpr int least = -50; // coordinates are below 1, and have not many more bits
+  const auto exponent = [&](std::size_t s) { return (std::max)(std::ilogb(patches[s].spacing) + 2, least); };
   std::map<int, std::vector<std::size_t>> shapes_of_size;
   for(std::size_t s = 0; s < patches.size(); ++s)
     if(patches[s].spacing > 0)

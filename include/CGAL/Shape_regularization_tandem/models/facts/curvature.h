@@ -78,22 +78,27 @@ private:
       return 0;
     const Vector normal = unit(smaller.normal + (cosine < 0 ? -larger.normal : larger.normal));
     const Height_frame frame(smaller.centroid, normal, 2 * smaller.length);
-    Surface_fit of_smaller, of_larger;
     Vector low = smaller.points[0], high = low;
     for(const Vector& p : smaller.points) {
-      of_smaller.add(frame(p));
       low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
     }
     const double reach = smaller.length;
-    const auto is_near = [reach](double x, double lowest, double highest) {
-      return x >= lowest - reach && x <= highest + reach;
+    const auto is_near = [&](const Vector& p, int axis) {
+      const double x = coordinate(p, axis);
+      return x >= coordinate(low, axis) - reach && x <= coordinate(high, axis) + reach;
     };
-    auto p = std::lower_bound(larger.points.begin(), larger.points.end(), low.x - reach,
-                              [](const Vector& q, double x) { return q.x < x; });
-    for(; p != larger.points.end() && p->x <= high.x + reach; ++p)
-      if(is_near(p->y, low.y, high.y) && is_near(p->z, low.z, high.z))
+    Surface_fit of_smaller, of_larger;
+    const int axis = larger.axis;
+    auto p = std::lower_bound(larger.points.begin(), larger.points.end(), coordinate(low, axis) - reach,
+                              [axis](const Vector& q, double x) { return coordinate(q, axis) < x; });
+    for(; p != larger.points.end() && is_near(*p, axis); ++p)
+      if(is_near(*p, 0) && is_near(*p, 1) && is_near(*p, 2))
         of_larger.add(frame(*p));
+    if(of_larger.number_of_points() < Surface_fit::terms)
+      return 0;
+    for(const Vector& q : smaller.points)
+      of_smaller.add(frame(q));
     return share_of_common_bend(of_smaller, of_larger, 2 * smaller.length);
   }
 

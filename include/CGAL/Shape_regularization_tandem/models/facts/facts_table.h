@@ -16,6 +16,7 @@
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
@@ -181,7 +182,7 @@ public:
     std::vector<Shape_facts> result(shapes.number_of_shapes());
     std::vector<Shape_patch> patches(result.size());
     for_each_in_parallel(result.size(), [&](std::size_t s) {
-      patches[s].points = points_of(s);
+      take_points(s, patches[s]);
       result[s] = facts_of(s, patches[s]);
     });
     constexpr double tolerances = .01; // less is nothing, as what rounding leaves of points without noise
@@ -195,15 +196,21 @@ public:
 
 private:
   // In one order, whatever that of the caller is.
-  std::vector<Vector> points_of(std::size_t s) const
+  void take_points(std::size_t s, Shape_patch& patch) const
   {
-    std::vector<Vector> result;
-    result.reserve(shapes.points(s).size());
-    for(std::uint32_t i : shapes.points(s))
-      result.push_back(vector_of(points[i]));
-    std::sort(result.begin(), result.end(),
-              [](const Vector& p, const Vector& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
-    return result;
+    Bbox_3 box;
+    patch.points.reserve(shapes.points(s).size());
+    for(std::uint32_t i : shapes.points(s)) {
+      patch.points.push_back(vector_of(points[i]));
+      const Vector& p = patch.points.back();
+      box += Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
+    }
+    const std::array<double, 3> spans = {box.x_span(), box.y_span(), box.z_span()};
+    const int axis = int(std::max_element(spans.begin(), spans.end()) - spans.begin());
+    std::sort(patch.points.begin(), patch.points.end(), [axis](const Vector& p, const Vector& q) {
+      return std::tuple(coordinate(p, axis), p.x, p.y, p.z) < std::tuple(coordinate(q, axis), q.x, q.y, q.z);
+    });
+    patch.axis = axis;
   }
 
   // But for its curvature and class. The patch has the points, and gets the rest.
@@ -273,8 +280,7 @@ private:
       return;
     Point_columns columns = level.columns(spacings * outlines::median(spacing));
     for(std::size_t s = 0; s < patches.size(); ++s)
-      for(const Vector& p : patches[s].points)
-        columns.add(p, s, Point_columns::is_upright(facts[s].dip_deg));
+      columns.add(patches[s].points, s, Point_columns::is_upright(facts[s].dip_deg));
     columns.sort(patches.size());
     for_each_in_parallel(facts.size(), [&](std::size_t s) {
       if(facts[s].number_of_points > 0)
