@@ -96,8 +96,8 @@ std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std
   return records;
 }
 
-// The records behind the points: of LAS 1.4, or the waveforms of LAS 1.3.
-void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
+// The records behind the points: of LAS 1.4, or the waveforms of LAS 1.3. Returns how many of them are not there.
+std::size_t read_tail(Byte_source& file, const Las_header& h, Input_records& records)
 {
   constexpr std::size_t header_1_3 = 235, record_header = 60;
   const bool has_waveforms = h.minor_version >= 3 && h.bytes.size() >= header_1_3;
@@ -108,8 +108,10 @@ void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
     first = number_at<std::uint64_t>(h.bytes.data() + 235);
     count = number_at<std::uint32_t>(h.bytes.data() + 243);
   }
+  if(first == 0)
+    return 0;
   if(first < h.first_point || first > file.size())
-    return;
+    return count;
   for(Input_buffer in(file, first); count > 0 && in.left() >= record_header; --count) {
     if(in.position() == waveforms)
       records.waveforms = records.tail.size();
@@ -122,6 +124,7 @@ void read_tail(Byte_source& file, const Las_header& h, Input_records& records)
     if(!is_of_this_file(record) && !describes_bytes(record)) // which the header has
       records.tail += record;
   }
+  return count;
 }
 
 } // namespace
@@ -209,8 +212,10 @@ Las_header read_las_header(Input_buffer& in, const std::string& label)
   h.bytes.resize(header_size);
   read_exactly(in, &h.bytes[std::size_t(in.position())], header_size - std::size_t(in.position()), "the LAS header");
   std::string descriptions;
-  for(std::string& record :
-      read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()))) {
+  const std::uint32_t announced = number_at<std::uint32_t>(bytes + 100);
+  std::vector<std::string> records = read_records(in, announced, (std::min)(h.first_point, in.position() + in.left()));
+  h.lost_records = announced - records.size();
+  for(std::string& record : records) {
     if(is_of(record, "LASF_Projection"))
       h.frame.records.push_back(record);
     if(describes_bytes(record))
@@ -312,7 +317,8 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
   }
   if(!notes.records)
     return;
-  read_tail(file, h, *notes.records);
+  if(const std::size_t lost = h.lost_records + read_tail(file, h, *notes.records); lost > 0)
+    notes.warnings.push_back(text_of("LAS records that are damaged, or not there, are not in the output: ", lost));
   describe_records(h, *notes.records);
   if(h.label_size > 0)
     keeps_field(settings.label, Column::none, settings, notes);

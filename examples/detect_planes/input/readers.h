@@ -395,6 +395,7 @@ struct Las_header {
 
   std::string bytes;                // of the header
   std::vector<std::string> records; // but for those of extra bytes, of compression and of where points are in the file
+  std::size_t lost_records = 0;     // announced, but damaged or not there
   std::string descriptions;         // of all extra bytes but for those of the label
   std::size_t label_position = 0, label_size = 0; // in the record of a point
 };

@@ -103,6 +103,15 @@ def test_records_behind_the_points(p, number, version):
         assert p.path("back.las").read_bytes()[90:] == p.path("tailed.las").read_bytes()[90:]
 
 
+def test_damaged_records(p):
+    """They are told: one before the points that is not there, and one behind them of which the head is cut."""
+    tail = record(b"LASF_Projection", 2112, b"WKT\0", True) + WAVEFORMS
+    data = bytearray(any_las(6, 4, 0, tail))
+    data[100] += 1
+    p.write({"damaged.las": bytes(data[:-len(WAVEFORMS) + 20])})
+    p.warns("damaged.las E --output out.las", "LAS records that are damaged, or not there, are not in the output: 2")
+
+
 @pytest.mark.skipif(not HAS_LAZ, reason="built without LASzip")
 @table(LAYOUT, LAYOUTS)
 def test_laz(p, number, version, extra):

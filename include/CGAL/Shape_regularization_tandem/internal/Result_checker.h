@@ -314,7 +314,7 @@ private:
         refuse(numbered("too oblique is the normal of point", item) + ": the cosine is " + to_text(std::fabs(aligned)) +
                " with that of " + numbered("shape", s));
       ++distances_[0];
-      distances_[1] += std::uint64_t(distance / epsilon * distance_units + .5);
+      distances_[1] += std::uint64_t(std::llround(distance / epsilon * distance_units));
       opposed_[2 * s] += aligned < -packing;
       opposed_[2 * s + 1] += aligned < packing;
     }
