@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "input/Input_buffer.h"
 #include "output/writers.h"
 
 namespace program {
