@@ -232,12 +232,12 @@ public:
     mesh->commit();
     written.push_back(options.mesh);
     std::error_code error;
-    if(std::filesystem::is_regular_file(options.view, error)) { // else it is nowhere to be read again
-      std::ifstream page(options.view, std::ios::binary);
-      Output_file view(options.view);
-      view.write([&](std::ostream& out) { write_view_with_mesh(out, page, described, *made); });
-      view.commit();
-    }
+    if(std::filesystem::is_regular_file(options.view, error)) // else it is nowhere to be read again
+      if(Output_file view(options.view); view.replaces_file()) {
+        std::ifstream page(options.view, std::ios::binary);
+        view.write([&](std::ostream& out) { write_view_with_mesh(out, page, described, *made); });
+        view.commit();
+      }
     return text_of_mesh(*made, described.shapes, options);
   }
 

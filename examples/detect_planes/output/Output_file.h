@@ -170,6 +170,9 @@ public:
       fail(error.value());
   }
 
+  // Whether it is written beside the file that it becomes, and so does not follow what was written there.
+  bool replaces_file() const { return part.has_value(); }
+
   // Everything is on its way to the disk, or it throws.
   template <class Write>
   void write(const Write& write)

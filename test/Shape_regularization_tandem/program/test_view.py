@@ -117,6 +117,9 @@ def test_model(p):
     heights = np.abs(np.linalg.det(corners)).sum() / 6
     assert heights == pytest.approx(600, rel=.06)  # from the origin, a corner of the base
     assert set(shape) == {0, 1, 2} and seen[shape < 2].min() > 200 and seen[shape == 2].max() == 0
+    # What the shell has opened is written once, before there is a mesh.
+    p.shell(0, NOTHING, "$P roof.xyz --maximum-distance 0.05 --quiet --base 0 --view open.html --mesh roof.obj > open.html")
+    assert p.read("open.html").count("<!DOCTYPE html>") == 1 and element(p.read("open.html"), "model", "") == ""
 
 
 @needs_page
