@@ -22,10 +22,10 @@ namespace CGAL::Tandem {
 
 \brief estimates the parameters of a detection from the points.
 
-- `maximum_distance` follows the spacing of the points, between two multiples of their noise. It is between 1e-270 and
-  1e270, as it has to be.
+- `maximum_distance` follows the spacing of the points, between multiples of their noise. It is between 1e-270 and 1e270,
+  as it has to be.
 - `maximum_offset` is `maximum_distance`.
-- `minimum_region_size` grows with the square root of the number of points.
+- `minimum_region_size` grows with the square root of the number of points, up to a limit that follows from the spacing.
 
 The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
 

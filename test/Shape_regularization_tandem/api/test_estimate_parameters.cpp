@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(test_rule)
   check_near(distance_of(make_points(10000, .04f)), 3 * .04 / std::sqrt(6.), .25, "of noise");
   // Without noise it is a fraction of the spacing that grows with the number of points.
   for(int n : {1500, 6000})
-    check_near(distance_of(make_points(n, 0)), .017 * std::pow(6.6 * n, 5. / 16) * std::sqrt(.63 / n), .3,
+    check_near(distance_of(make_points(n, 0)), .019 * std::pow(6.6 * n, 5. / 16) * std::sqrt(.63 / n), .3,
                "of spacing");
   const Points points = make_points(1500, .002f);
   const Estimate estimate(points);
@@ -284,6 +284,61 @@ BOOST_AUTO_TEST_CASE(test_scenes)
       CHECK_AT(scene.note == nullptr ? estimate.note.empty() : estimate.mentions(scene.note), what);
       CHECK_AT(estimate.noise_varies == (std::string(scene.name) == "corridor"), what);
     }
+}
+
+// Houses with gable roofs on one ground, 12 points a square unit.
+Points village(int houses, double noise, Random& random)
+{
+  Points points;
+  for(int i = 0; i < houses; ++i) {
+    const double x = 25 * (i % 6), y = 25 * (i / 6), ridge = 5 + 4 * random.uniform();
+    const auto add = [&](const Parallelogram& patch) {
+      add_patch(points, std::size_t(12 * length(cross(patch.u, patch.v))), patch, noise, random);
+    };
+    add({{x, y, 5}, {9, 0, 0}, {0, 4, ridge - 5}});
+    add({{x, y + 8, 5}, {9, 0, 0}, {0, -4, ridge - 5}});
+    add({{x + 9, y - 8, 0}, {16, 0, 0}, {0, 25, 0}});
+    add({{x, y - 8, 0}, {9, 0, 0}, {0, 8, 0}});
+    add({{x, y + 8, 0}, {9, 0, 0}, {0, 9, 0}});
+  }
+  return points;
+}
+
+// A roof has nearly one tolerance, of however many the tile is, and its minimum size does not grow with a large tile.
+BOOST_AUTO_TEST_CASE(test_tiles)
+{
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    const double noise = .015 + .01 * seed;
+    Random random(seed);
+    const double one = distance_of(posed(village(1, noise, random), seed, 1));
+    check_near(one, 2.8 * noise, .12, "one house");
+    for(const int houses : {4, 16})
+      check_near(distance_of(posed(village(houses, noise, random), seed, 1)), one, .2, std::to_string(houses));
+    const Points large = village(48, noise, random);
+    const Parameters p = Estimate(large).parameters;
+    check_near(p.maximum_distance, one, .2, "large");
+    const double spacing = .28, size = 400 * p.maximum_distance / spacing;
+    check_near(double(p.minimum_region_size), (std::max)(100., size), .1, "minimum size");
+    // The same, if the distance is given.
+    CHECK(estimate_parameters<Tag>(large, CGAL::parameters::maximum_distance(p.maximum_distance)).minimum_region_size ==
+          p.minimum_region_size);
+  }
+}
+
+// Trees beside a roof are noisy, but they do not vary as the range does, and the tolerance is not theirs.
+BOOST_AUTO_TEST_CASE(test_trees)
+{
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    Points points = village(3, .03, random);
+    for(int i = 0; i < 4500; ++i) {
+      Vec d = unit(random.gaussian_vector());
+      d = (3 - .35 * std::fabs(random.gaussian())) * Vec{d.x, d.y, .8 * std::fabs(d.z)};
+      points.emplace_back(d.x + 16 + 25 * (i % 3), d.y - 4, d.z + 5);
+    }
+    const Estimate estimate(posed(points, seed, 1));
+    CHECK_AT(!estimate.noise_varies && estimate.distance < .35, std::to_string(estimate.distance));
+  }
 }
 
 // Where normals tell the sides of a wall from each other, nothing is near them.

@@ -13,16 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Tandem::internal {
-
-inline std::size_t estimate_minimum_region_size(std::size_t points)
-{
-  using namespace tuning::estimation;
-  return (std::max)(minimum_region_size, std::size_t(std::llround(region_size_per_root * std::sqrt(double(points)))));
-}
 
 // Whether there is more noise than that of rounding, and most of it is not that of surfaces that bend.
 inline bool has_noise(const Cloud_measure& m)
@@ -31,13 +26,15 @@ inline bool has_noise(const Cloud_measure& m)
   return m.noise > least_noise_per_spacing * m.spacing && m.bends < bent_ratio;
 }
 
-// The epsilon for a cloud: from the spacing, but between two multiples of the noise.
+// The epsilon for a cloud: from the spacing, but between multiples of the noise.
 inline double distance_for(const Cloud_measure& m)
 {
   using namespace tuning::estimation;
   const double root4 = std::sqrt(std::sqrt(m.places)), root16 = std::sqrt(std::sqrt(root4));
   const double spaced = distance_per_spacing * root4 * root16 * m.spacing;
-  const double most = has_noise(m) ? distance_per_largest_noise * m.largest_noise : spaced;
+  const double most = has_noise(m)
+                        ? (std::min)(distance_per_largest_noise * m.largest_noise, distance_per_rms_noise * m.rms_noise)
+                        : spaced;
   return (std::max)(distance_per_noise * m.noise, (std::min)(spaced, most));
 }
 
@@ -97,6 +94,17 @@ void bound_by_tolerances(const Ranks& ranks, const Import& in, Parameters& p)
       ranks, finite.size(), [&](std::size_t i) { return finite[i]; }, tuning::grid::tolerances_within));
 }
 
+// The minimum size of a shape, from the number of points. spacing(): that of the points, where the number is large.
+template <class Spacing>
+std::size_t estimate_minimum_region_size(double points, double maximum_distance, Spacing spacing)
+{
+  using namespace tuning::estimation;
+  double size = region_size_per_root * std::sqrt(points);
+  if(size > largest_region_size)
+    size = (std::min)(size, (std::max)(largest_region_size, region_size_per_distance * maximum_distance / spacing()));
+  return (std::max)(minimum_region_size, std::size_t(std::llround(size)));
+}
+
 // Estimates the parameters that are 0, and checks all of them. Returns what is to be said of them.
 template <class Backend>
 Distance_estimate complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
@@ -104,17 +112,20 @@ Distance_estimate complete_parameters(Backend& backend, const Import& in, bool h
   Distance_estimate estimate;
   if(in.has_tolerances && in.total.points > 0)
     bound_by_tolerances(Ranks<Backend>(backend), in, p);
+  std::optional<Cloud_measure> measure;
   if(p.maximum_distance == 0 && in.total.points > 0) {
-    const Cloud_measure measure = measure_cloud(backend, in);
-    p.maximum_distance = estimate_maximum_distance(in, measure);
-    estimate = describe_compromise(measure);
+    measure = measure_cloud(backend, in);
+    p.maximum_distance = estimate_maximum_distance(in, *measure);
+    estimate = describe_compromise(*measure);
   }
   if(p.maximum_distance == 0)
     p.maximum_distance = 1;
   if(!has_offset)
     p.maximum_offset = p.maximum_distance;
   if(p.minimum_region_size == 0)
-    p.minimum_region_size = estimate_minimum_region_size(std::size_t(in.total.points));
+    p.minimum_region_size = estimate_minimum_region_size(double(in.total.points), p.maximum_distance, [&] {
+      return (measure ? *measure : measure_cloud(backend, in)).spacing;
+    });
   check_parameters(p);
   return estimate;
 }

@@ -23,10 +23,11 @@ namespace CGAL::Tandem::internal {
 
 // --- What measure_cloud.h finds.
 
-// The noise about a place of a surface.
+// Noise and spacing about a place of a surface.
 struct Patch_noise {
   Vector position;
   double noise;
+  double spacing;
 };
 
 // Noise and spacing of a cloud, in units of the coordinates; zeros where there is no surface.
@@ -35,6 +36,7 @@ struct Cloud_measure {
   double spacing = 0;       // median
   double places = 0;        // number of points, without copies
   double noise = 0;         // the quantile that counts
+  double rms_noise = 0;     // the root mean square over the surfaces
   double largest_noise = 0; // the noise of the noisiest tenth
   double low_noise = 0;     // from there
   double high_noise = 0;    // to there: over neighboring patches with the same residual over several radii
@@ -162,19 +164,31 @@ inline bool is_same_noise(double a, double b)
   return a <= factor * b && b <= factor * a;
 }
 
+// Whether the square of the spacing, too, varies between smoothed patches with little and with much noise, as where both
+// grow with the range.
+inline bool is_noise_sparse(const std::vector<Patch_noise>& smooth, double low_noise, double high_noise)
+{
+  std::vector<double> quiet, noisy;
+  for(const Patch_noise& s : smooth)
+    (s.noise * s.noise > low_noise * high_noise ? noisy : quiet).push_back(s.spacing);
+  const double ratio = quantile(noisy, .5) / (std::max)(quantile(quiet, .5), 1e-300);
+  return ratio * ratio > tuning::estimation::varied_noise;
+}
+
 // Sets the range of the smoothed noise of patches, and whether it varies: far more of them differ from the median of all
-// than from that of their neighbors.
+// than from that of their neighbors, and the noisy ones are sparse.
 template <class Backend>
 void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud_measure& m)
 {
   using namespace tuning::estimation;
   const Patch_tree tree(std::move(patches));
+  const std::vector<Patch_noise> smooth_patch = smoothed(backend, tree);
   std::vector<double> noise, smooth;
   std::int64_t differ = 0, differ_nearby = 0;
   for(const Patch_noise& p : tree.patches())
     noise.push_back(p.noise);
   const double median = quantile(noise, .5);
-  for(const Patch_noise& s : smoothed(backend, tree)) {
+  for(const Patch_noise& s : smooth_patch) {
     const double own = tree.patches()[smooth.size()].noise;
     differ += !is_same_noise(own, median);
     differ_nearby += !is_same_noise(own, s.noise);
@@ -182,7 +196,8 @@ void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud
   }
   m.low_noise = quantile(smooth, low_noise_quantile);
   m.high_noise = quantile(smooth, 1 - low_noise_quantile);
-  m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ);
+  m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ) &&
+             is_noise_sparse(smooth_patch, m.low_noise, m.high_noise);
 }
 
 template <class Backend>
@@ -217,12 +232,14 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches, double
   using namespace tuning::estimation;
   std::vector<double> noise, spacing, spacing_in_space, places_per_point;
   std::size_t exact = 0, measured = 0, sheets = 0, bends = 0;
+  double squares = 0;
   for(const Patch_measure& p : patches) {
     if(p.noise_steps < 0) {
       spacing_in_space.push_back(p.spacing_steps);
       continue;
     }
     noise.push_back(p.noise_steps);
+    squares = std::fma(p.noise_steps, p.noise_steps, squares);
     spacing.push_back(p.spacing_steps);
     places_per_point.push_back(p.places_per_point);
     exact += p.exact;
@@ -235,6 +252,7 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches, double
   m.places = noise.empty() ? 1 : quantile(places_per_point, .5);
   m.noise = step * quantile(noise, noise_quantile);
   m.largest_noise = step * quantile(noise, .9);
+  m.rms_noise = step * std::sqrt(squares / (std::max)(double(noise.size()), 1.));
   const auto ratio = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
   m.exact = ratio(exact, measured);
   m.sheets = ratio(sheets, noise.size());
@@ -268,7 +286,8 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
       const Grid_point& p = sample.point[(std::min)(i * patch_size + patch_size / 2, sample.point.size() - 1)];
       m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
                           std::fma(p.z, grid.step, grid.origin.z)},
-                         patches[i].noise_steps * grid.step});
+                         patches[i].noise_steps * grid.step,
+                         patches[i].spacing_steps * grid.step});
       if(patches[i].is_flat())
         flat.push_back(m.patch.back());
     }

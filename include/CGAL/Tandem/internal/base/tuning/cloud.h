@@ -87,12 +87,14 @@ namespace estimation {
 
 // epsilon in units of the noise: at least. Larger: fewer and coarser shapes.
 constexpr double distance_per_noise = 2.5;
-// Above that, epsilon is this multiple of the spacing times the number of points to the power of 5/16: .23 of the spacing
-// for 4000 points, 1.3 for a million. Larger: detail of scans is ignored, and faces at small angles in small clouds become
+// Above that, epsilon is this multiple of the spacing times the number of points to the power of 5/16: .25 of the spacing
+// for 4000 points, 1.4 for a million. Larger: detail of scans is ignored, and faces at small angles in small clouds become
 // one. Chosen by the nine clouds.
-constexpr double distance_per_spacing = .017;
-// But at most this multiple of the noise of the noisiest tenth. Larger: layers of precise scans become one.
+constexpr double distance_per_spacing = .019;
+// But at most these multiples of the noise of the noisiest tenth, and of its root mean square. Larger: layers of precise
+// scans become one, and the tolerance of a roof grows with the size of its tile.
 constexpr double distance_per_largest_noise = 3.8;
+constexpr double distance_per_rms_noise = 3;
 // Less noise than this fraction of the spacing is that of rounding, which says nothing of epsilon.
 constexpr double least_noise_per_spacing = .01;
 // Nor does that of clouds of which this ratio of the surfaces bends.
@@ -105,6 +107,10 @@ constexpr double smallest_distance = 1e-6;
 // Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are missed.
 constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
+// But no more than the first, or than the second times epsilon in units of the spacing if that is more. Larger: roofs of
+// large tiles get no shape.
+constexpr double largest_region_size = 100;
+constexpr double region_size_per_distance = 400;
 // For planes that were found elsewhere: epsilon in units of the rms distance of their points.
 constexpr double distance_per_rms = 2.5;
 
@@ -154,7 +160,8 @@ constexpr double largest_local_factor = 8;
 
 // The noise varies where, of patches with the same residual over several radii, the high quantile of the smoothed noise
 // is more than this multiple of the low one: 6.5 to 21 times before depth cameras where one tolerance fails, 4.8 at most
-// in rooms where it does not.
+// in rooms where it does not. Noise grows with the square of the range, and spacing with the range: so does the squared
+// spacing vary, 11 to 54 times before depth cameras, 1 where trees stand beside roofs.
 constexpr double varied_noise = 5.4;
 // The low quantile; the high one is as far from the end. Larger: a small noisy face does not count.
 constexpr double low_noise_quantile = .02;
