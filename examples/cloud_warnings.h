@@ -340,6 +340,7 @@ struct Asked_shapes {
   bool is_distance_given = false; // one for all points
   const char* tolerances = "";    // what gives each point its own
   std::string planes_from = {};   // where known planes are from, which are the shapes
+  bool has_given_normals = true;  // or those that the library estimates; not others that the caller has asked for
 };
 
 // Of the points and shapes of all ranks, some of which may have no points. The function measures the noise of the own
@@ -375,7 +376,7 @@ std::vector<std::string> cloud_warnings(const Points& points, const Shapes& shap
     warnings.push_back(why_empty(s, p, asked.tolerances));
   else if(is_poor && s.number_of_rounds > 0)
     warnings.push_back(why_poor(s));
-  else if(double(s.free_points.misaligned) >= many_misaligned * double(s.number_of_points))
+  else if(asked.has_given_normals && double(s.free_points.misaligned) >= many_misaligned * double(s.number_of_points))
     warnings.push_back(why_misaligned(s));
   if(extent > 0 && p.maximum_distance > largest_distance_per_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,

@@ -18,12 +18,11 @@ def grid(n, step):
 PLATES = "--maximum-distance .01 --minimum-region-size 50"
 
 
-def plates(across):
-    """Two sides of a thin plate, whose normals at two edges are blended with those of its narrow faces, by the ratio
-    `across`."""
-    sides = np.array([(x, y, z, 0, 0, 1) for x in np.arange(0, 4, .1) for y in np.arange(0, 2, .1) for z in (0, .3)])
-    is_edge = (sides[:, 1] < .05) | (sides[:, 1] > 1.85)
-    sides[is_edge, 4] = across
+def plate(degrees):
+    """Two sides of a thin plate, with normals that are turned at two edges, as those blended with the narrow faces."""
+    sides = np.array([(x, y, z, 0, 0, 1) for x in np.arange(40) / 10 for y in np.arange(20) / 10 for z in (0, .3)])
+    angle = np.radians(degrees) * ((sides[:, 1] == 0) | (sides[:, 1] == 1.9))
+    sides[:, 4], sides[:, 5] = np.sin(angle), np.cos(angle)
     return sides
 
 
@@ -33,8 +32,8 @@ def prepare(p):
     noisy = np.column_stack([rng.random((20000, 3)) * (1, 1, .02), np.tile((0, 0, 1), (20000, 1))])
     p.write({"place.xyz": "1 2 3\n" * 300, "line.xyz": "".join(f"{i} {2 * i} {3 * i}\n" for i in range(300)),
              "clutter.xyz": text_of(clutter), "noisy.xyz": text_of(noisy),
-             "none.ply": ply(NO_POINTS + NORMALS), **{f"{name}.xyz": text_of(plates(across)) for name, across in
-                                                      (("exact", 0), ("blended", 1), ("hardly", .2))}})
+             "none.ply": ply(NO_POINTS + NORMALS), **{f"turned{degrees}.xyz": text_of(plate(degrees))
+                                                      for degrees in (0, 20, 45)}})
 
 
 @table("arguments, patterns", [
@@ -50,9 +49,10 @@ def prepare(p):
     ("clutter.xyz --maximum-distance 0.001",
      ["only 9[0-9.]* % of the points are in shapes, and 8[0-9.]* % are alone: they are outliers, or --maximum-distance"]),
     # Normals that keep points out of shapes, and such that do not
-    (f"blended.xyz {PLATES}",
-     ["given normals keep 10[0-9.]* % of the points out of shapes on whose planes they are: --estimate-normals adds about as"]),
-    (f"blended.xyz {PLATES} --estimate-normals", []), (f"exact.xyz {PLATES}", []), (f"hardly.xyz {PLATES}", []),
+    (f"turned45.xyz {PLATES}",
+     ["given normals keep 10 % of the points out of shapes on whose planes they are: --estimate-normals adds about as "
+      "many"]),
+    (f"turned45.xyz {PLATES} --estimate-normals", []), (f"turned0.xyz {PLATES}", []), (f"turned20.xyz {PLATES}", []),
     # Tolerances that do not fit the points
     ("cube.ply --maximum-distance 0.03",
      ["the maximum distance 0.03 is more than a tenth of the extent of the points, 0.1[0-9]*: a smaller "
