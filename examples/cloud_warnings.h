@@ -243,6 +243,7 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
     {f.without_normal, "without a normal",
      "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
      "smaller --maximum-distance"},
+    {f.misaligned, "kept out by their normals", "--estimate-normals adds about as many to shapes"},
     {f.misfit, "just beyond the tolerances of a shape",
      "a larger --maximum-distance or --maximum-angle adds more of them"},
     {f.without_neighbors, "alone",
@@ -251,7 +252,10 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
      s.line_spacing > 0 ? "a smaller --minimum-region-size adds more of them, but a face needs points of two scan lines"
                         : "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
-     "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
+     s.has_estimated_normals
+       ? "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"
+       : "they are on no surface, --maximum-distance or --maximum-angle is too small for their noise, or their normals "
+         "are wrong, such as with exchanged axes (--estimate-normals)"},
     {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
@@ -263,6 +267,8 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
 // --- Why a result is empty or poor, as far as its figures tell: a sentence each, with the option to change.
 
 constexpr double poor_coverage = .2;
+// Of all points. Fewer: what estimated normals add is often lost elsewhere.
+constexpr double many_misaligned = .03;
 constexpr double largest_distance_per_extent = .1; // of the maximum distance
 constexpr double smallest_distance_per_noise = .1;
 // Points that are thicker than the maximum distance fill it, so that their mean distance is half of it.
@@ -308,13 +314,24 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
                   " degrees (--maximum-angle)");
 }
 
+inline double percent(const CGAL::Tandem::Statistics& s, std::size_t points)
+{
+  return 100 * double(points) / double(s.number_of_points);
+}
+
 // There are free points. Ratios of all points, as those of the summary are.
 inline std::string why_poor(const CGAL::Tandem::Statistics& s)
 {
   const Free_reason reason = free_reasons(s).at(0);
-  const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
-  return sentence("only ", percent(s.number_of_assigned_points), " % of the points are in shapes, and ",
-                  percent(reason.points), " % are ", reason.name, ": ", reason.advice);
+  return sentence("only ", percent(s, s.number_of_assigned_points), " % of the points are in shapes, and ",
+                  percent(s, reason.points), " % are ", reason.name, ": ", reason.advice);
+}
+
+inline std::string why_misaligned(const CGAL::Tandem::Statistics& s)
+{
+  return sentence("given normals keep ", percent(s, s.free_points.misaligned),
+                  " % of the points out of shapes on whose planes they are: --estimate-normals adds about as many "
+                  "to shapes");
 }
 
 // How a caller has asked for the shapes.
@@ -323,6 +340,7 @@ struct Asked_shapes {
   bool is_distance_given = false; // one for all points
   const char* tolerances = "";    // what gives each point its own
   std::string planes_from = {};   // where known planes are from, which are the shapes
+  bool has_given_normals = true;  // or those that the library estimates; not others that the caller has asked for
 };
 
 // Of the points and shapes of all ranks, some of which may have no points. The function measures the noise of the own
@@ -358,6 +376,8 @@ std::vector<std::string> cloud_warnings(const Points& points, const Shapes& shap
     warnings.push_back(why_empty(s, p, asked.tolerances));
   else if(is_poor && s.number_of_rounds > 0)
     warnings.push_back(why_poor(s));
+  else if(asked.has_given_normals && double(s.free_points.misaligned) >= many_misaligned * double(s.number_of_points))
+    warnings.push_back(why_misaligned(s));
   if(extent > 0 && p.maximum_distance > largest_distance_per_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is more than a tenth of the extent of the points, ", extent,

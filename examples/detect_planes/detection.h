@@ -418,7 +418,7 @@ inline std::vector<std::string> all_warnings(const Point_set& points, const Shap
                                              const Processes& processes, const Tolerance_facts& tolerance)
 {
   const tandem_examples::Asked_shapes asked = {tolerance.mean, o.maximum_distance && !tolerance.is_of_each_point,
-                                               "--tolerance-column, --noise", o.planes_from};
+                                               "--tolerance-column, --noise", o.planes_from, !o.estimate_normals};
   return tandem_examples::cloud_warnings(
     points.points(), shapes, asked, [&] { return CGAL::Tandem::estimate_noise(points); }, processes);
 }

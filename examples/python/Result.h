@@ -169,7 +169,7 @@ inline py::dict score(const CGAL::Tandem::Result_score& s)
 
 inline py::dict free_points(const CGAL::Tandem::Free_points& f)
 {
-  return py::dict("without_normal"_a = f.without_normal, "misfit"_a = f.misfit,
+  return py::dict("without_normal"_a = f.without_normal, "misaligned"_a = f.misaligned, "misfit"_a = f.misfit,
                   "without_neighbors"_a = f.without_neighbors, "in_small_regions"_a = f.in_small_regions,
                   "clutter"_a = f.clutter, "unselected"_a = f.unselected, "total"_a = f.total());
 }

@@ -28,7 +28,7 @@ inline std::string free_text(const CGAL::Tandem::Statistics& s)
 {
   std::ostringstream text;
   text << std::setprecision(3);
-  const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
+  const auto percent = [&](std::size_t points) { return tandem_examples::percent(s, points); };
   const std::vector<Free_reason> reasons = tandem_examples::free_reasons(s);
   if(reasons.empty())
     return "none";
@@ -179,6 +179,7 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                     {"orthogonal_pairs", s.number_of_orthogonal_pairs},
                     {"rounds", s.number_of_rounds}};
   json["free"] = {{"without_normal", s.free_points.without_normal},
+                  {"misaligned", s.free_points.misaligned},
                   {"misfit", s.free_points.misfit},
                   {"without_neighbors", s.free_points.without_neighbors},
                   {"in_small_regions", s.free_points.in_small_regions},

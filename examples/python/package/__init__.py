@@ -140,7 +140,8 @@ def detect_planes(
     Returns PlanarShapes.
 
     Warns with TandemWarning of coordinates that are rounded or look like degrees, of points at 0 0 0, of no shapes or few
-    points in shapes, and of a maximum_distance or an angle that does not fit; not if progress has cancelled.
+    points in shapes, of normals that keep points out of shapes, and of a maximum_distance or an angle that does not
+    fit; not if progress has cancelled.
 
     Raises ParameterError, a ValueError with the texts name, value and range, for a value outside of its range, or an
     extent of the points of more than 2^24 times maximum_distance; ValueError, which names the argument, for an array of
@@ -164,6 +165,7 @@ def detect_planes(
         raise TypeError(f"progress must be a function, not {type(progress).__name__}")
     shapes = _tandem.detect_planes(rows, given, settings, progress)
     for text in [] if shapes.is_cancelled else _tandem.warnings(rows, given, settings, shapes):
+        text = text.replace("--estimate-normals", "normals=None")
         text = re.sub("--([a-z-]+)", lambda option: option[1].replace("-", "_"), text)
         warnings.warn(text, TandemWarning, stacklevel=2)
     return shapes

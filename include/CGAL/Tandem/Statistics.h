@@ -53,6 +53,9 @@ neighbors and tolerances are those of the result; \ref Tandem_method_free_points
 */
 struct Free_points {
   std::size_t without_normal = 0;    ///< no normal could be estimated: the neighbors are on a line or in one place
+  std::size_t misaligned = 0;        ///< within the tolerance of the plane of a shape that is next to the point, whose
+                                     ///< given normal is beyond `maximum_angle`. With estimated normals, for which this
+                                     ///< is 0, mostly about as many points more are in shapes
   std::size_t misfit = 0;            ///< within twice the tolerances of the plane of a shape that is next to the point
   std::size_t without_neighbors = 0; ///< no neighbor fits the plane through the point with its normal
   std::size_t in_small_regions = 0;  ///< more than half of the neighbors fit that plane; and all points of a cloud of
@@ -60,10 +63,10 @@ struct Free_points {
   std::size_t clutter = 0;           ///< the others: at most half do
   std::size_t unselected = 0;        ///< their shape was left out by `select_shapes()`, whatever else holds
 
-  /// returns the number of free points: the sum of the six numbers above
+  /// returns the number of free points: the sum of the seven numbers above
   std::size_t total() const
   {
-    return without_normal + misfit + without_neighbors + in_small_regions + clutter + unselected;
+    return without_normal + misaligned + misfit + without_neighbors + in_small_regions + clutter + unselected;
   }
 };
 

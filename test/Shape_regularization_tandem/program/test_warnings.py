@@ -15,13 +15,25 @@ def grid(n, step):
     return [(i % n * step, i // n * step, 0) for i in range(n * n)]
 
 
+PLATES = "--maximum-distance .01 --minimum-region-size 50"
+
+
+def plate(degrees):
+    """Two sides of a thin plate, with normals that are turned at two edges, as those blended with the narrow faces."""
+    sides = np.array([(x, y, z, 0, 0, 1) for x in np.arange(40) / 10 for y in np.arange(20) / 10 for z in (0, .3)])
+    angle = np.radians(degrees) * ((sides[:, 1] == 0) | (sides[:, 1] == 1.9))
+    sides[:, 4], sides[:, 5] = np.sin(angle), np.cos(angle)
+    return sides
+
+
 def prepare(p):
     rng = np.random.default_rng(2)
     clutter = np.concatenate([grid(20, 1 / 20), 3 * rng.random((4000, 3)) + (0, 0, 1)])
     noisy = np.column_stack([rng.random((20000, 3)) * (1, 1, .02), np.tile((0, 0, 1), (20000, 1))])
     p.write({"place.xyz": "1 2 3\n" * 300, "line.xyz": "".join(f"{i} {2 * i} {3 * i}\n" for i in range(300)),
              "clutter.xyz": text_of(clutter), "noisy.xyz": text_of(noisy),
-             "none.ply": ply(NO_POINTS + NORMALS)})
+             "none.ply": ply(NO_POINTS + NORMALS), **{f"turned{degrees}.xyz": text_of(plate(degrees))
+                                                      for degrees in (0, 20, 45)}})
 
 
 @table("arguments, patterns", [
@@ -36,6 +48,11 @@ def prepare(p):
     # Too little is found
     ("clutter.xyz --maximum-distance 0.001",
      ["only 9[0-9.]* % of the points are in shapes, and 8[0-9.]* % are alone: they are outliers, or --maximum-distance"]),
+    # Normals that keep points out of shapes, and such that do not
+    (f"turned45.xyz {PLATES}",
+     ["given normals keep 10 % of the points out of shapes on whose planes they are: --estimate-normals adds about as "
+      "many"]),
+    (f"turned45.xyz {PLATES} --estimate-normals", []), (f"turned0.xyz {PLATES}", []), (f"turned20.xyz {PLATES}", []),
     # Tolerances that do not fit the points
     ("cube.ply --maximum-distance 0.03",
      ["the maximum distance 0.03 is more than a tenth of the extent of the points, 0.1[0-9]*: a smaller "

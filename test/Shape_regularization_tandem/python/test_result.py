@@ -30,6 +30,8 @@ def test_statistics():
     reasons = dict(shapes.statistics["free_points"])
     total = reasons.pop("total")
     assert (total, sum(reasons.values())) == (np.count_nonzero(shapes.labels == -1),) * 2
+    assert reasons["misaligned"] < 50
+    assert tandem.detect_planes(room()[0], maximum_distance=MAXIMUM_DISTANCE).statistics["free_points"]["misaligned"] == 0
     assert "meant as a cosine" in tandem.detect_planes(*room(), maximum_angle=0.9).statistics["angle_note"]
     assert shapes.statistics["angle_note"] == ""
 

@@ -59,8 +59,8 @@ struct Surfels_of_three {
   }
 };
 
-free_reason::Reason reason(const Fixture& f, const Cloud_view& cloud, const std::vector<std::uint32_t>& shape,
-                           std::uint32_t i, std::uint32_t at, const Grid_point& p)
+free_reason::Reason reason(const Fixture& f, const Explain_free_points& by, std::uint32_t i, std::uint32_t at,
+                           const Grid_point& p)
 {
   if(p.normal == no_normal)
     return free_reason::without_normal;
@@ -69,12 +69,16 @@ free_reason::Reason reason(const Fixture& f, const Cloud_view& cloud, const std:
   const double twice = std::cos(2 * std::acos(cosine));
   const Tolerance own_tolerance = f.tolerance_of(at),
                   wide = {2 * own_tolerance.distance, std::int64_t(twice * twice * 4294967296.)};
-  std::vector<std::uint32_t> near = {shape[i]};
+  std::vector<std::uint32_t> near = {by.shapes.shape[i]};
   int all = 0, fitting = 0;
-  for(const std::uint32_t* q = cloud.row(i); q != cloud.row(i) + cloud.k && *q != no_index; ++q, ++all) {
-    near.push_back(shape[*q]);
-    fitting += fits(own, cloud.point[*q], own_tolerance);
+  for(const std::uint32_t* q = by.cloud.row(i); q != by.cloud.row(i) + by.cloud.k && *q != no_index; ++q, ++all) {
+    near.push_back(by.shapes.shape[*q]);
+    fitting += fits(own, by.cloud.point[*q], own_tolerance);
   }
+  for(const std::uint32_t s : near)
+    if(by.has_given_normals && s != no_index && is_near(f.plane[s], p, own_tolerance.distance) &&
+       !fits(f.plane[s], p, own_tolerance))
+      return free_reason::misaligned;
   for(const std::uint32_t s : near)
     if(s != no_index && fits(f.plane[s], p, wide))
       return free_reason::misfit;
@@ -96,20 +100,23 @@ void check_result(Backend& backend, const std::string& name, const Fixture& f, C
     point[p].normal = no_normal;
   cloud.surfels.point = point.data();
   const std::uint32_t points = std::uint32_t(point.size());
-  Counts expected = {};
   std::vector<Shared_moments> sums(f.plane.size());
-  for(std::uint32_t p = 0; p < points; ++p) {
-    const std::uint32_t i = cloud.surfels.of_point(p);
-    if(shape[i] == no_index || (labels.point_label != nullptr && labels.point_label[p] != labels.label[i]))
-      ++expected[reason(f, cloud, shape, i, p, point[p])];
-    else
-      add_point(sums[shape[i]], point[p], 1, f.level_of(p));
+  for(const bool has_given_normals : {true, false}) {
+    const Explain_free_points explain = {cloud, {labels, shape.data()}, f.plane.data(), f.tolerance, has_given_normals};
+    Counts expected = {};
+    for(std::uint32_t p = 0; p < points; ++p) {
+      const std::uint32_t i = cloud.surfels.of_point(p);
+      if(shape[i] == no_index || (labels.point_label != nullptr && labels.point_label[p] != labels.label[i]))
+        ++expected[reason(f, explain, i, p, point[p])];
+      else if(has_given_normals)
+        add_point(sums[shape[i]], point[p], 1, f.level_of(p));
+    }
+    const Counts got = backend.template sum<free_reason::size>(points, explain);
+    for(std::size_t r = 0; r < free_reason::size; ++r)
+      check_equal(got[r], expected[r], name + ": reason " + std::to_string(r));
+    CHECK_AT(got[free_reason::misfit] > 0 || points < 100, name);
+    CHECK_AT(got[free_reason::misaligned] > 0 ? has_given_normals : !has_given_normals || points < 100, name);
   }
-  const Counts got = backend.template sum<free_reason::size>(
-    points, Explain_free_points{cloud, {labels, shape.data()}, f.plane.data(), f.tolerance});
-  for(std::size_t r = 0; r < free_reason::size; ++r)
-    check_equal(got[r], expected[r], name + ": reason " + std::to_string(r));
-  CHECK_AT(got[free_reason::misfit] > 0 || points < 100, name);
   for(const std::uint32_t parts : {1u, 3u}) {
     std::vector<Shared_moments> sum(sums.size());
     backend.template for_each_cell<Moment_table>(

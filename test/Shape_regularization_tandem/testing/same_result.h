@@ -56,7 +56,8 @@ inline Words shape_bits(const Shapes& shapes)
            t.complexity, t.grid_step, t.line_spacing, t.score.fit, t.score.links, t.score.size, t.score.price,
            t.score.freedom);
   const CGAL::Tandem::Free_points& f = t.free_points;
-  add_bits(all, f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected);
+  add_bits(all, f.without_normal, f.misaligned, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter,
+           f.unselected);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const std::size_t last = all.size();
     all.resize(last + 4);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
@@ -20,7 +21,7 @@ namespace CGAL::Tandem::internal {
 
 // In the order in which they are tried, and that of Free_points: each point has the first one that holds.
 namespace free_reason {
-enum Reason : std::size_t { without_normal, misfit, without_neighbors, in_small_regions, clutter, size };
+enum Reason : std::size_t { without_normal, misaligned, misfit, without_neighbors, in_small_regions, clutter, size };
 } // namespace free_reason
 
 // Both bounds twice as large; an angle of 45 degrees or more becomes a right one.
@@ -36,6 +37,7 @@ struct Explain_free_points {
   Final_shapes shapes;
   const Plane* plane; // by shape
   Tolerance tolerance;
+  bool has_given_normals;
 
   CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sum) const
   {
@@ -51,7 +53,13 @@ private:
   {
     if(p.normal == no_normal)
       return free_reason::without_normal;
-    if(is_misfit(i, p, doubled(own_tolerance)))
+    const auto is_off = [&](const Plane& s) {
+      return is_near(s, p, own_tolerance.distance) && !is_aligned(s, p, own_tolerance.squared_cosine);
+    };
+    if(has_given_normals && is_next_to(i, is_off))
+      return free_reason::misaligned;
+    const Tolerance wide = doubled(own_tolerance);
+    if(is_next_to(i, [&](const Plane& s) { return fits(s, p, wide); }))
       return free_reason::misfit;
     const Plane own = own_plane(p);
     const std::uint32_t* row = cloud.row(i);
@@ -63,35 +71,37 @@ private:
                                : free_reason::clutter;
   }
 
-  // Whether the point nearly fits the plane of a shape that it is next to: with twice the tolerances, `wide`, it would.
-  CGAL_TANDEM_HD bool is_misfit(std::uint32_t i, const Grid_point& p, const Tolerance& wide) const
+  // Whether surfel i or one of its neighbors is in a shape whose plane is accepted.
+  template <class Accept>
+  CGAL_TANDEM_HD bool is_next_to(std::uint32_t i, const Accept& is_accepted) const
   {
     std::uint32_t last = shapes.shape[i]; // neighbors of one shape often follow each other
-    bool is_near = last != no_index && fits(plane[last], p, wide);
+    bool is_found = last != no_index && is_accepted(plane[last]);
     const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index && !is_near; ++j) {
+    for(int j = 0; j < cloud.k && row[j] != no_index && !is_found; ++j) {
       const std::uint32_t s = shapes.shape[row[j]];
       if(s == no_index || s == last)
         continue;
       last = s;
-      is_near = fits(plane[s], p, wide);
+      is_found = is_accepted(plane[s]);
     }
-    return is_near;
+    return is_found;
   }
 };
 
 // The reasons of the points of all ranks; result: the shapes.
 template <class Backend>
 Free_points explain_free_points(Labeled_cloud<Backend>& points, const Final_shapes& shapes,
-                                const std::vector<Engine_shape>& result, const Grid& grid, const Tolerance& tolerance)
+                                const std::vector<Engine_shape>& result, const Import& in, const Tolerance& tolerance)
 {
   const auto plane = points.backend.template make_buffer<Plane>(
-    result.size(), [&](std::size_t s) { return rounded(to_grid(result[s].plane, grid)); });
+    result.size(), [&](std::size_t s) { return rounded(to_grid(result[s].plane, in.grid)); });
   const auto own = points.backend.template sum<free_reason::size>(
-    points.cloud.number_of_points(), Explain_free_points{points.cloud.view(), shapes, plane.data(), tolerance});
+    points.cloud.number_of_points(),
+    Explain_free_points{points.cloud.view(), shapes, plane.data(), tolerance, in.has_normals});
   const auto total = [&](free_reason::Reason r) { return points.ranks.total(std::size_t(own[r])); };
-  return {total(free_reason::without_normal), total(free_reason::misfit), total(free_reason::without_neighbors),
-          total(free_reason::in_small_regions), total(free_reason::clutter)};
+  return {total(free_reason::without_normal),    total(free_reason::misaligned),       total(free_reason::misfit),
+          total(free_reason::without_neighbors), total(free_reason::in_small_regions), total(free_reason::clutter)};
 }
 
 } // namespace CGAL::Tandem::internal

@@ -95,7 +95,7 @@ private:
     points_.ranks.refresh(component.data(), Rings::inner);
     measure_shapes(component.data(), result);
     const Final_shapes shapes = {labels(), component.data()};
-    result.free_points = explain_free_points(points_, shapes, result.shapes, in_.grid, parameters_.growth.tolerance);
+    result.free_points = explain_free_points(points_, shapes, result.shapes, in_, parameters_.growth.tolerance);
     measure_planes(points_, shapes, in_.grid, parameters_.exact.maximum_distance, result.shapes);
     auto shape_of = filled_buffer(backend_, points_.cloud.number_of_points(), std::int32_t(-1));
     backend_.for_each(n, Write_shapes{labels(), component.data(), order(), shape_of.data()});
