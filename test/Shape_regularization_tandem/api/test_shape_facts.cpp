@@ -420,7 +420,7 @@ BOOST_AUTO_TEST_CASE(test_veils)
   CHECK(!is_veil(veil, {above}) && !is_veil(veil, {nowhere}) && !is_veil(veil, {origin[0], above}));
   CHECK(facts_of({veil})[0].is_veil == false);
   // A row of a wall is not deep, and a post is not edge-on.
-  CHECK(!is_veil(patch({3, -1, 0}, {0, 2, 0}, {0, 0, .01}, .03)));
+  CHECK(!is_veil(patch({3, -1, 0}, {0, 2, 0}, {0, 0, .03}, .03)));
   CHECK(!is_veil(patch({3, -.03, -1}, {0, .06, 0}, {0, 0, 2}, .03)));
 }
 

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -61,27 +60,18 @@ inline double angular_step(std::vector<Vector>& directions, const Vector& first,
   return outlines::median(steps);
 }
 
-// A shape as rays cross it: at the cells of its plane that have points, as all eight around them have.
+// A shape as rays cross it: at the cells of its plane that have points. Rays past its border may cross a cell there, but
+// not more than in two rows.
 class Crossed_shape {
 public:
   explicit Crossed_shape(const Shape_patch& patch)
-    : reach(patch.length),
-      // so wide that an empty cell is a gap
-      frame(patch.centroid, patch.normal, spacings * (patch.spacing > 0 ? patch.spacing : 1)), centroid(patch.centroid),
-      normal(patch.normal)
+    : reach(patch.length), frame(patch.centroid, patch.normal, spacings * (patch.spacing > 0 ? patch.spacing : 1)),
+      centroid(patch.centroid), normal(patch.normal)
   {
-    std::vector<Cell> filled;
     for(const Vector& p : patch.points)
-      filled.push_back(cell_of(p));
-    std::sort(filled.begin(), filled.end());
-    filled.erase(std::unique(filled.begin(), filled.end()), filled.end());
-    std::copy_if(filled.begin(), filled.end(), std::back_inserter(inner), [&](const Cell& c) {
-      for(std::int64_t x = -1; x <= 1; ++x)
-        for(std::int64_t y = -1; y <= 1; ++y)
-          if(!std::binary_search(filled.begin(), filled.end(), Cell{c[0] + x, c[1] + y}))
-            return false;
-      return true;
-    });
+      cells.push_back(cell_of(p));
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   }
 
   // Where a ray crosses it, as a part of the ray: from 0 to 1, or 1 where it does not. `distance`: of the point behind,
@@ -94,13 +84,13 @@ public:
     const double part = before / (before - behind);
     const Vector place = add_scaled(ray.from, part, ray.to - ray.from);
     const bool is_near = length(place - centroid) <= reach;
-    return is_near && std::binary_search(inner.begin(), inner.end(), cell_of(place)) ? part : 1;
+    return is_near && std::binary_search(cells.begin(), cells.end(), cell_of(place)) ? part : 1;
   }
 
 private:
   using Cell = std::array<std::int64_t, 2>;
 
-  static constexpr double spacings = 4;
+  static constexpr double spacings = 2; // between points, of a cell: few inside of a surface are empty
 
   Cell cell_of(const Vector& p) const
   {
@@ -111,7 +101,7 @@ private:
   double reach;
   Height_frame frame;
   Vector centroid, normal;
-  std::vector<Cell> inner;
+  std::vector<Cell> cells;
 };
 
 class Sight {
@@ -125,7 +115,7 @@ public:
   // Of each shape. Coplanar shapes are pieces of one surface, as of a wall that the rays graze.
   std::vector<char> veils() const
   {
-    std::vector<std::vector<std::size_t>> groups(shapes.number_of_coplanar_groups());
+    std::vector<std::vector<std::size_t>> groups(shapes.number_of_shapes()); // some may be empty
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       groups[shapes.coplanar_group(s)].push_back(s);
     std::vector<char> result(shapes.number_of_shapes());
