@@ -35,8 +35,9 @@ struct Ray {
   }
 };
 
-// The median angle, in radians, between neighboring directions on a great circle or near it. `axes`: of that circle.
-inline double angular_step(std::vector<Vector>& directions, const Vector& first, const Vector& second)
+// The median angle, in radians, between neighboring directions on a great circle or near it, of which
+// these are axes.
+inline double angular_step(const std::vector<Vector>& directions, const Vector& first, const Vector& second)
 {
   constexpr std::size_t asked = 256; // tell the median as well as all do
   std::vector<std::pair<double, Vector>> along;
@@ -104,6 +105,7 @@ private:
   std::vector<Cell> cells;
 };
 
+// The shapes as the stations see them.
 class Sight {
 public:
   Sight(const std::vector<Position>& points, const outlines::Shapes& shapes, const outlines::Unit& unit,
@@ -130,7 +132,8 @@ public:
   // The shape that most rays to a shape cross first, or -1, unless more than half of the rays cross some shape.
   int behind(std::size_t s, const std::vector<Crossed_shape>& crossed) const
   {
-    constexpr std::size_t asked = 64; // rays tell what most of all do
+    constexpr std::size_t asked = 64;       // rays tell what most of all do
+    const double clearance = 4 * tolerance; // twice that of both shapes: layers of noise are closer
     const std::vector<Ray> rays = rays_to({s});
     const std::size_t step = 1 + rays.size() / asked;
     std::vector<std::size_t> crossing(crossed.size() + 1, 0); // the last one is of those that cross none
@@ -139,7 +142,7 @@ public:
       double nearest = 1;
       std::size_t first = crossed.size();
       for(std::size_t t = 0; t < crossed.size(); ++t)
-        if(const double part = crossed[t].crossing(rays[i], 2 * tolerance); part < nearest) {
+        if(const double part = crossed[t].crossing(rays[i], clearance); part < nearest) {
           nearest = part;
           first = t;
         }
@@ -205,7 +208,7 @@ private:
   const outlines::Shapes& shapes;
   const outlines::Unit& unit;
   const Stations& stations;
-  const double tolerance;
+  double tolerance;
 };
 
 } // namespace CGAL::Tandem::internal::facts
