@@ -252,8 +252,7 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
                         : "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
      "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"},
-    {f.unselected, "in shapes that were not selected",
-     "the options of the selection leave them out, or they are veils"}};
+    {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
   while(!reasons.empty() && reasons.back().points == 0)
