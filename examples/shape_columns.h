@@ -48,11 +48,11 @@ constexpr std::array<Shape_column<Plane_uncertainty>, 3> uncertainty_columns = {
    {"offset_deviation", &Plane_uncertainty::offset_deviation},
    {"angle_deviation_deg", &Plane_uncertainty::angle_deg}}};
 
-// All columns in their order: f(name, value_of), where value_of(s) is a whole number for counts and groups, and a word for
-// the class. What a shape has not is not a number: the area, if it has no outline, and what is measured at points, if it
+// All columns in their order: f(name, value_of), where value_of(s) is a whole number for counts, groups and shapes, of
+// which -1 is none, and a word for the class. `behind` is a column only where the sensor is known. What a shape has not is not a number: the area, if it has no outline, and what is measured at points, if it
 // has none.
 template <class Shapes, class F>
-void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>& facts, F f)
+void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>& facts, bool is_seen, F f)
 {
   const auto if_has = [](bool has, double number) { return has ? number : std::numeric_limits<double>::quiet_NaN(); };
   const auto has_points = [&](std::size_t s) { return facts[s].number_of_points > 0; };
@@ -71,6 +71,8 @@ void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>&
     f(column.name, [&](std::size_t s) { return facts[s].*column.number; });
   measured(fit_columns);
   f("class", [&](std::size_t s) { return CGAL::Tandem::shape_class_name(facts[s].shape_class); });
+  if(is_seen)
+    f("behind", [&](std::size_t s) { return facts[s].behind; });
   for(const auto& column : uncertainty_columns)
     f(column.name, [&](std::size_t s) { return if_has(has_points(s), shapes.uncertainty(s).*column.number); });
   f("parallel_group", [&](std::size_t s) { return shapes.parallel_group(s); });

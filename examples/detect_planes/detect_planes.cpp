@@ -62,24 +62,34 @@ inline std::optional<Shapes> select(const Point_set& points, const Options& o, R
   return all;
 }
 
+// --- Veils, whose points become free.
+
+// Notes in the run how many there were. Known planes stay.
+inline void dissolve_veils(const Point_set& points, const Options& o, Run& run, Shapes& shapes)
+{
+  if(!o.known_planes.empty())
+    return;
+  Shapes kept = without_veils(shapes, points);
+  run.veils = shapes.number_of_shapes() - kept.number_of_shapes();
+  run.veil_points = shapes.statistics().number_of_assigned_points - kept.statistics().number_of_assigned_points;
+  if(run.veils > 0)
+    shapes = std::move(kept);
+}
+
 // --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
 // from which their points were seen.
 
 // All ranks call the same members in the same order.
 class Outward_sides {
 public:
-  // After the normals were prepared. That given ones have no viewpoint is said before the detection, which may take long.
+  // After the normals were prepared.
   Outward_sides(const Options& o, Input_cloud& cloud, Processes& processes, Run& run)
     : options(o), points(cloud.points), processes(processes), are_given(run.normals == "given")
   {
-    processes.together([&] {
-      if(are_given && o.viewpoint && !o.noise)
-        throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (--estimate-normals "
-                                 "estimates them anew)");
-    });
     for(const Input_part& part : cloud.parts)
-      if(const auto viewpoint = viewpoint_of(o, part, o.is_oriented); viewpoint && !are_given)
-        views.push_back({part.first, part.last, *viewpoint});
+      for(const View& view : views_of(o, part, o.is_oriented))
+        if(!are_given)
+          views.push_back(view);
     is_seen = processes.largest(double(views.size())) > 0;
     run.has_outward_sides = are_given || is_seen;
     if(is_seen && run.normals != "none")
@@ -121,11 +131,6 @@ public:
   }
 
 private:
-  struct View {
-    std::size_t first, last; // the points
-    Kernel::Point_3 from;
-  };
-
   // How many more of the own points of each shape were seen from the side of its normal than from the other one. The
   // normal of the plane tells that better than those of the points, where they were seen at a small angle.
   std::vector<long long> votes_of(const Shapes& shapes) const
@@ -430,6 +435,8 @@ void run(Options o, Processes& processes, Made_folders& folders)
   processes.together([&] { choose_tolerances(cloud.points, processes, o); });
   processes.together([&] { prepare_tolerances(o, cloud); });
   Outward_sides sides(o, cloud, processes, run);
+  if(!processes.are_many())
+    note_viewpoints(o, tandem_examples::box_of(cloud.points.points(), processes).box, cloud);
 
   std::optional<Shapes> shapes;
   processes.together([&] { shapes.emplace(detect_upward(cloud.points, o, processes, run)); });
@@ -441,7 +448,10 @@ void run(Options o, Processes& processes, Made_folders& folders)
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run.tolerance);
   warnings.emplace_back(sides.warning());
   std::optional<Shapes> all; // before the selection
-  processes.together([&] { all = select(cloud.points, o, run, *shapes, warnings); });
+  processes.together([&] {
+    dissolve_veils(cloud.points, o, run, *shapes);
+    all = select(cloud.points, o, run, *shapes, warnings);
+  });
   run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
   run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
   add_warnings(warnings, processes.is_first(), run);

@@ -49,15 +49,42 @@ inline std::string source_of_tolerances(const Options& o)
   return o.has_local_distances ? "auto-local" : o.maximum_distance ? "given" : "estimated";
 }
 
-// The place from which the points of an input were seen, if it is known: that of the option, else that of the file.
-// Writers that know none put the default into PCD files.
-inline std::optional<Kernel::Point_3> viewpoint_of(const Options& o, const Input_part& part, bool takes_default)
+// Points that were seen from one place.
+struct View {
+  std::size_t first, last;
+  Kernel::Point_3 from;
+};
+
+// Of the points of an input, if the places are known: that of the option, else those of the file. Writers that know none
+// put the default into PCD files.
+inline std::vector<View> views_of(const Options& o, const Input_part& part, bool takes_default)
 {
-  const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
-  if(!o.viewpoint && (!of_file || (of_file->is_default && !takes_default)))
-    return std::nullopt;
-  const std::array<double, 3>& place = o.viewpoint ? *o.viewpoint : of_file->place;
-  return Kernel::Point_3(place[0], place[1], place[2]);
+  std::vector<View> views;
+  for(const Viewpoint& v : o.viewpoint ? std::vector<Viewpoint>{{*o.viewpoint}} : part.notes.viewpoints)
+    if(!v.is_default || takes_default) {
+      if(!views.empty())
+        views.back().last = part.first + v.first;
+      views.push_back({part.first + v.first, part.last, {v.place[0], v.place[1], v.place[2]}});
+    }
+  return views;
+}
+
+// Puts the places beside the points. A place that is far from all points stands for a side, as above a tile, and not for a
+// sensor.
+inline void note_viewpoints(const Options& o, const Box& box, Input_cloud& cloud)
+{
+  constexpr double far = 10; // extents of the points away
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const double extent = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  for(const Input_part& part : cloud.parts)
+    for(const View& view : views_of(o, part, false)) {
+      const auto away = [&](int c) { return (std::max)({box.min(c) - view.from[c], view.from[c] - box.max(c), 0.}); };
+      if(std::hypot(away(0), away(1), away(2)) > far * extent)
+        continue;
+      const auto places = cloud.points.add_property_map(viewpoint_name, Kernel::Point_3(nan, nan, nan)).first;
+      for(Point_set::Index i : part_of(cloud.points, view.first, view.last))
+        places[i] = view.from;
+    }
 }
 
 // Of the column the reader has made the property already; where a rank has no points, it is empty. Those of auto-local
@@ -72,17 +99,20 @@ inline void prepare_tolerances(const Options& o, Input_cloud& cloud)
   for(const Input_part& part : cloud.parts) {
     if(part.first == part.last)
       continue;
-    const std::optional<Kernel::Point_3> sensor = viewpoint_of(o, part, false);
-    if(!sensor)
+    const std::vector<View> views = views_of(o, part, false);
+    if(views.empty())
       throw_error(o.inputs[part.input],
-                  (part.notes.viewpoint ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which stands for an unknown place"
-                                        : ": does not tell the place of the sensor"),
+                  (!part.notes.viewpoints.empty()
+                     ? ": the VIEWPOINT is 0 0 0 1 0 0 0, which stands for an unknown place"
+                     : ": does not tell the place of the sensor"),
                   "; --noise needs that place: pass --viewpoint X,Y,Z (0,0,0 if it is the origin)");
-    for(Point_set::Index i : part_of(cloud.points, part.first, part.last)) {
-      const Kernel::Vector_3 v = cloud.points.point(i) - *sensor;
-      const double range = std::sqrt(std::fma(v.x(), v.x(), std::fma(v.y(), v.y(), v.z() * v.z()))); // on all compilers
-      tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range));
-    }
+    for(const View& view : views)
+      for(Point_set::Index i : part_of(cloud.points, view.first, view.last)) {
+        const Kernel::Vector_3 v = cloud.points.point(i) - view.from;
+        const double range =
+          std::sqrt(std::fma(v.x(), v.x(), std::fma(v.y(), v.y(), v.z() * v.z()))); // on all compilers
+        tolerances[i] = CGAL::Tandem::distance_of_noise((*o.noise)(range));
+      }
   }
 }
 

@@ -64,13 +64,16 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
   add(group, "sample", number_option(o.sample, "N"),
       "put N points on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the normals "
       "of the faces; 0: take the corners of the faces. Without this option, the program refuses a file with faces");
-  add(
-    group, "viewpoint",
-    parsed_option("X,Y,Z",
-                  [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
-    "the place from which all points were seen, and of the sensor for --noise: estimated normals and outward sides of "
-    "planes are towards it. The program refuses an input with normals, unless you pass --estimate-normals or --noise "
-    "(default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, and the place in .ptx of one scan)");
+  add(group, "viewpoint",
+      parsed_option("X,Y,Z",
+                    [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
+      "the place of the sensor, from which all points were seen: estimated normals and outward sides of planes are "
+      "towards "
+      "it, --noise measures distances from it, shapes that it cannot have measured are left out, and --shapes tells "
+      "which "
+      "it saw behind others (default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, and the "
+      "place of "
+      "each scan in .ptx)");
   add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
       "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras, also where they are few or near other "
       "points: they get no shape");
@@ -107,7 +110,7 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
       "\"0.001 + 0.0028*r^2\": the tolerance of each point is ",
       std::setprecision(3), CGAL::Tandem::distance_of_noise(1),
       " times that. The sensor is at --viewpoint, or at the VIEWPOINT of a .pcd file, unless that is 0 0 0 1 0 0 0, or "
-      "at the place in a .ptx file of one scan");
+      "at the place of the scan in a .ptx file");
 }
 
 // --- The options of the command line that say which of the shapes the outputs have.

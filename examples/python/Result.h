@@ -318,12 +318,34 @@ py::array array_by_shape(const Result& result, const F& number_of)
   }
 }
 
+// From where the points were seen: one place, or one for each point.
+using Places = std::optional<py::array_t<double, py::array::c_style | py::array::forcecast>>;
+
+inline Places places_of(const Result& result, const py::object& viewpoint)
+{
+  if(viewpoint.is_none())
+    return std::nullopt;
+  const auto places = Places::value_type::ensure(viewpoint);
+  if(!places)
+    PyErr_Clear();
+  const auto points = py::ssize_t(result.shapes().number_of_points());
+  const bool is_one = places && places.ndim() == 1 && places.shape(0) == 3;
+  if(!is_one && !(places && places.ndim() == 2 && places.shape(0) == points && places.shape(1) == 3))
+    throw py::value_error("viewpoint must be three numbers, or three for each of the " + std::to_string(points) +
+                          " points");
+  return places;
+}
+
 // f(points), where these are of the detection. Other threads of Python run meanwhile. The array of points is the caller's,
 // who may have changed it.
 template <class F>
-auto with_points(const Result& result, const F& f)
+auto with_points(const Result& result, const F& f, const Places& viewpoint = {})
 {
-  const Cloud cloud = {result.given().points->data(), nullptr, nullptr, result.shapes().number_of_points()};
+  Cloud cloud = {result.given().points->data(), nullptr, nullptr, result.shapes().number_of_points()};
+  if(viewpoint) {
+    cloud.viewpoints = viewpoint->data();
+    cloud.viewpoint_step = viewpoint->ndim() == 1 ? 0 : 3;
+  }
   const py::gil_scoped_release no_gil;
   try {
     return f(cloud);
@@ -336,22 +358,24 @@ auto with_points(const Result& result, const F& f)
 }
 
 // The names are those of the columns of detect_planes --shapes.
-inline py::dict table(const Result& result)
+inline py::dict table(const Result& result, const py::object& viewpoint)
 {
+  const Places places = places_of(result, viewpoint);
   py::dict dict;
   const auto add = [&](const std::string& name, const auto& number_of) {
     dict[py::str(name)] = array_by_shape(result, number_of);
   };
   add("shape", [](std::size_t s) { return s; });
-  const auto facts = with_points(result, [&](const Cloud& points) { return shape_facts(points, result.shapes()); });
-  tandem_examples::for_each_shape_column(result.shapes(), facts, add);
+  const auto facts = with_points(
+    result, [&](const Cloud& points) { return shape_facts(points, result.shapes()); }, places);
+  tandem_examples::for_each_shape_column(result.shapes(), facts, places.has_value(), add);
   return dict;
 }
 
 inline void add_table(Class& result)
 {
   result.def(
-    "table", &table,
+    "table", &table, py::arg("viewpoint") = py::none(),
     "A dict of new arrays of shape (m,), ready for pandas.DataFrame: a row for each shape, as detect_planes --shapes\n"
     "writes it. Integers are int64, other numbers float64; lengths are in units of the points. What a shape has not "
     "is\n"
@@ -373,6 +397,9 @@ inline void add_table(Class& result)
     "                         as in uncertainties; the last one is angle_deg\n"
     "curved                   whether the shape is a facet of a curved surface, in [0, 1]: it is above 0.5\n"
     "class                    floor, ceiling, wall, roof, ground or slanted\n"
+    "behind                   the shape through which the sensor saw this one, -1 if there is none: a column only if "
+    "you\n"
+    "                         pass viewpoint, the place of the sensor, or an array (n, 3) of places for each point\n"
     "parallel_group, coplanar_group\n\n"
     "The function reads the array of points of detect_planes() again; the result keeps that array alive. Raises "
     "ValueError\n"

@@ -36,6 +36,8 @@ struct Cloud {
   const double* normals = nullptr;    // null: they are estimated
   const double* tolerances = nullptr; // null: all points have the same
   std::size_t size = 0;
+  const double* viewpoints = nullptr; // null: not known
+  std::size_t viewpoint_step = 0;     // from that of a point to the next one: 0 where all have the same, else 3
 };
 
 // What is not given is left to the library.
@@ -123,7 +125,33 @@ struct Row_map {
 using Point_map = Row_map<Kernel::Point_3>;
 using Normal_map = Row_map<Kernel::Vector_3>;
 
-// Calls f with the named parameters for the maps of the points and normals of the cloud ...
+// The places from which points were seen.
+struct Viewpoint_map {
+  using key_type = std::size_t;
+  using value_type = Kernel::Point_3;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const double* values;
+  std::size_t step;
+
+  friend value_type get(const Viewpoint_map& map, std::size_t i)
+  {
+    const double* v = map.values + map.step * i;
+    return value_type(v[0], v[1], v[2]);
+  }
+};
+
+// Calls f with the named parameters for the maps of the points and of their viewpoints, where they are known ...
+template <class F>
+auto with_viewpoints(const Cloud& cloud, const F& f)
+{
+  const auto points = np::point_map(Point_map{cloud.points});
+  return cloud.viewpoints != nullptr ? f(points.viewpoint_map(Viewpoint_map{cloud.viewpoints, cloud.viewpoint_step}))
+                                     : f(points);
+}
+
+// ... for the maps of the points and normals of the cloud ...
 template <class F>
 auto with_maps(const Cloud& cloud, const F& f)
 {
@@ -179,7 +207,7 @@ std::vector<std::string> backends();
 
 Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices);
 
-// The points are those of the detection, which are read for areas and extents.
+// The points are those of the detection, which are read for areas, extents and veils.
 Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection& selection);
 
 // The normals of the cloud count where there are some.

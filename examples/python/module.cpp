@@ -120,10 +120,10 @@ Result select(const Result& result, const std::vector<long long>& indices)
   return Result(without_gil([&] { return select_shapes(result.shapes(), indices); }), result.given());
 }
 
-Result select_by(const Result& result, const Selection& selection)
+Result select_by(const Result& result, const Selection& selection, const py::object& viewpoint)
 {
   const auto select = [&](const Cloud& points) { return select_shapes(result.shapes(), points, selection); };
-  return Result(with_points(result, select), result.given());
+  return Result(with_points(result, select, places_of(result, viewpoint)), result.given());
 }
 
 py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling)

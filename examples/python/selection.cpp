@@ -17,7 +17,8 @@ Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices
 
 std::vector<CGAL::Tandem::Shape_facts> shape_facts(const Cloud& cloud, const Shapes& shapes)
 {
-  return CGAL::Tandem::shape_facts(shapes, rows_of(cloud), np::point_map(Point_map{cloud.points}));
+  return with_viewpoints(cloud,
+                         [&](const auto& maps) { return CGAL::Tandem::shape_facts(shapes, rows_of(cloud), maps); });
 }
 
 // Each direction is a type of named parameters of its own.
@@ -25,16 +26,18 @@ Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection&
 {
   const auto select = [&](const auto& list) { return CGAL::Tandem::select_shapes(shapes, rows_of(points), list); };
   const auto vector = [](const std::array<double, 3>& d) { return Kernel::Vector_3(d[0], d[1], d[2]); };
-  const auto list = np::point_map(Point_map{points.points})
-                      .largest(s.largest.value_or((std::max)(shapes.number_of_shapes(), std::size_t(1))))
-                      .near_angle(s.near_angle.value_or(10)); // the default of the library
-  if(s.near_direction && s.orthogonal_direction)
-    return select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction)));
-  if(s.near_direction)
-    return select(list.near_direction(vector(*s.near_direction)));
-  if(s.orthogonal_direction)
-    return select(list.orthogonal_direction(vector(*s.orthogonal_direction)));
-  return select(list);
+  const std::size_t largest = s.largest.value_or((std::max)(shapes.number_of_shapes(), std::size_t(1)));
+  return with_viewpoints(points, [&](const auto& maps) {
+    const auto list = maps.largest(largest).near_angle(s.near_angle.value_or(10)); // the default of the library
+    if(s.near_direction && s.orthogonal_direction)
+      return select(
+        list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction)));
+    if(s.near_direction)
+      return select(list.near_direction(vector(*s.near_direction)));
+    if(s.orthogonal_direction)
+      return select(list.orthogonal_direction(vector(*s.orthogonal_direction)));
+    return select(list);
+  });
 }
 
 namespace {

@@ -33,6 +33,7 @@ constexpr const char* color_name = "input_color";             // Input_color
 constexpr const char* intensity_name = "intensity";           // float
 constexpr const char* classification_name = "classification"; // std::uint8_t
 constexpr const char* tolerance_name = "tolerance";           // double: of the distance to the plane
+constexpr const char* viewpoint_name = "viewpoint";           // Kernel::Point_3: of the sensor; NaN: not known
 constexpr const char* no_value_name = "no_value"; // bool: coordinates stand for no value; there only if some do
 
 // Files have little-endian numbers, on every machine: the bytes of a number as they are there, and back.

@@ -248,10 +248,11 @@ struct Input_records {
   }
 };
 
-// Where the points of a file were seen from.
+// Where points of a file were seen from, up to those of the next viewpoint.
 struct Viewpoint {
   std::array<double, 3> place;
-  bool is_default; // what writers put there that know none
+  bool is_default = false; // what writers put there that know none
+  std::size_t first = 0;   // of these points
 };
 
 // What the reading found out, for people and for the outputs.
@@ -260,7 +261,7 @@ struct Input_notes {
   std::vector<std::string> warnings;
   std::optional<Las_frame> las_frame;     // of a LAS file
   std::shared_ptr<Input_records> records; // if they are kept
-  std::optional<Viewpoint> viewpoint;     // of a PCD file
+  std::vector<Viewpoint> viewpoints;      // of a PCD file, or of each scan of a PTX file
   Box box;                                // of all points, where some are cropped
 };
 

@@ -336,7 +336,7 @@ void note_viewpoint(const std::vector<std::string>& words, bool has_normals, Inp
     if(const std::optional<double> number = parse_number(word); number && std::isfinite(*number))
       numbers.push_back(*number);
   if(numbers.size() == words.size() && numbers.size() == 7)
-    notes.viewpoint = {{numbers[0], numbers[1], numbers[2]}, numbers == std::vector<double>{0, 0, 0, 1, 0, 0, 0}};
+    notes.viewpoints = {{{numbers[0], numbers[1], numbers[2]}, numbers == std::vector<double>{0, 0, 0, 1, 0, 0, 0}}};
   else if(!has_normals)
     notes.warnings.push_back("the VIEWPOINT of the PCD header is not seven finite numbers, and is not used");
 }

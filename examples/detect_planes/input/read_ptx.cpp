@@ -71,8 +71,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
   std::uint64_t empty = 0;         // pixels
   for(; lines.next_filled(); ++scans) {
     const Ptx_header header = read_scan_header(lines);
-    if(scans == 0)
-      notes.viewpoint = {{header.matrix[3][0], header.matrix[3][1], header.matrix[3][2]}, false};
+    notes.viewpoints.push_back({{header.matrix[3][0], header.matrix[3][1], header.matrix[3][2]}, false, points.size()});
     for(std::uint64_t i = 0; i < header.count; ++i) {
       if(!lines.next_filled())
         throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
@@ -90,10 +89,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
         builder->add(placed_row(header, numbers));
     }
   }
-  if(scans > 1)
-    notes.viewpoint.reset();
-  notes.lines.emplace_back("scans", text_of(scans, (scans > 1 ? " in one file, without a common viewpoint" : ""), ", ",
-                                            empty, " pixels without a point left out"));
+  notes.lines.emplace_back("scans", text_of(scans, ", ", empty, " pixels without a point left out"));
 }
 
 } // namespace program

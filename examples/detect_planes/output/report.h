@@ -71,6 +71,7 @@ struct Run {
   std::string planes_from;         // the file of known planes, or nothing
   std::string selection;           // of shapes: the options, or nothing; and what there was before
   std::size_t detected_shapes = 0, detected_points = 0;
+  std::size_t veils = 0, veil_points = 0; // shapes that became free, before the selection
   int threads = 1, processes = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing
@@ -239,6 +240,8 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                        {"note", run.tolerance.note}};
   json["up"] = {{"direction", run.up.direction}, {"source", run.up_source}, {"seconds", run.up_seconds}};
   json["planes_from"] = run.planes_from.empty() ? Json() : Json(utf8(run.planes_from));
+  if(run.veils > 0)
+    json["veils"] = {{"shapes", run.veils}, {"points", run.veil_points}};
   json["selection"] = nullptr; // the outputs have all shapes that were detected
   if(!run.selection.empty())
     json["selection"] = {{"options", utf8(run.selection)},
@@ -318,6 +321,10 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   if(!run.planes_from.empty())
     row("known") << "planes of " << Visible{run.planes_from}
                  << ", not detected: points are within the tolerances, but shapes need not be connected\n";
+  if(run.veils > 0)
+    row("veils") << run.veils << (run.veils == 1 ? " shape" : " shapes")
+                 << " between a near and a far surface, edge-on "
+                 << "to the sensor: " << run.veil_points << " points are free\n";
   if(!run.selection.empty())
     row("selection") << s.number_of_shapes << " of " << run.detected_shapes << " shapes, with "
                      << s.number_of_assigned_points << " of " << run.detected_points << " points ("

@@ -24,6 +24,16 @@ auto upward(const std::array<double, 3>& up)
   return CGAL::Tandem::parameters::symmetry_direction(Kernel::Vector_3(up[0], up[1], up[2]));
 }
 
+// With the places of the sensors, where they are known.
+template <class... Areas>
+std::vector<CGAL::Tandem::Shape_facts> facts_of(const Shapes& shapes, const Point_set& points,
+                                                const std::array<double, 3>& up, const Areas&... areas)
+{
+  if(const auto places = find_property<Kernel::Point_3>(points, viewpoint_name))
+    return CGAL::Tandem::shape_facts(shapes, points, areas..., upward(up).viewpoint_map(*places));
+  return CGAL::Tandem::shape_facts(shapes, points, areas..., upward(up));
+}
+
 // By size, curvature and class.
 Shapes measured_shapes(const Shapes& shapes, const Point_set& points, const Options& o)
 {
@@ -41,6 +51,13 @@ Shapes measured_shapes(const Shapes& shapes, const Point_set& points, const Opti
 }
 
 } // namespace
+
+Shapes without_veils(const Shapes& shapes, const Point_set& points)
+{
+  const auto places = find_property<Kernel::Point_3>(points, viewpoint_name);
+  return places ? CGAL::Tandem::select_shapes(shapes, points, CGAL::Tandem::parameters::viewpoint_map(*places))
+                : shapes;
+}
 
 Shapes selected_shapes(const Shapes& all, const Point_set& points, const Options& o)
 {
@@ -70,22 +87,25 @@ const Json& Described_shapes::table() const
 {
   if(table_)
     return *table_;
-  auto facts = CGAL::Tandem::shape_facts(shapes, points, areas(), upward(up));
+  auto facts = facts_of(shapes, points, up, areas());
   if(all != nullptr) {
-    const auto before = CGAL::Tandem::shape_facts(*all, points, upward(up));
+    const auto before = facts_of(*all, points, up);
     for(std::size_t s = 0; s < facts.size(); ++s)
       if(!shapes.points(s).empty()) {
         const auto& f = before[std::size_t(all->shape_index(shapes.points(s)[0]))];
         facts[s].curved = f.curved;
         facts[s].shape_class = f.shape_class;
+        if(f.behind >= 0) // a shape that is not selected has no number
+          facts[s].behind = shapes.shape_index(all->points(std::size_t(f.behind))[0]);
       }
   }
   table_.emplace();
-  tandem_examples::for_each_shape_column(shapes, facts, [&](const std::string& name, const auto& number_of) {
+  const bool is_seen = points.has_property_map<Kernel::Point_3>(viewpoint_name);
+  tandem_examples::for_each_shape_column(shapes, facts, is_seen, [&](const std::string& name, const auto& number_of) {
     Json& column = (*table_)[name] = Json::array();
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
       const Json value = number_of(s);
-      column.push_back(value == "" ? Json() : value);
+      column.push_back(value == "" || (value.is_number_integer() && value < 0) ? Json() : value);
     }
   });
   return *table_;

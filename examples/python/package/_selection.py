@@ -29,6 +29,7 @@ def select_shapes(
     near_direction: Optional[npt.ArrayLike] = None,
     orthogonal_direction: Optional[npt.ArrayLike] = None,
     near_angle: Optional[float] = None,
+    viewpoint: Optional[npt.ArrayLike] = None,
 ) -> PlanarShapes:
     """Returns a result with some of the shapes: the shapes of the indices, in their order, or all that fit the criteria.
 
@@ -52,13 +53,15 @@ def select_shapes(
         orthogonal_direction  three numbers: selects shapes with a normal within near_angle of a right angle to this
                               direction. With the vertical, these are walls
         near_angle            in degrees, in [0, 90]; None: 10
+        viewpoint             the place of the sensor, or (n, 3) numbers, a place for each point: leaves out veils, which
+                              are no surfaces, but points between a near and a far one. nan: the place is not known
 
     Raises ValueError and TypeError as detect_planes() does, and ValueError for an index that is not that of a shape, or
     occurs twice.
     """
     _check_result(shapes)
     criteria = (largest, minimum_area, minimum_extent, minimum_width, classes, near_direction, orthogonal_direction,
-                near_angle)
+                near_angle, viewpoint)
     if indices is not None:
         if _switch("flat_only", flat_only) or any(criterion is not None for criterion in criteria):
             raise ValueError("indices are not together with criteria: select twice")
@@ -69,7 +72,7 @@ def select_shapes(
     _set(selection, _count, largest=largest)
     _set(selection, _number, near_angle=near_angle)
     _set(selection, _direction, near_direction=near_direction, orthogonal_direction=orthogonal_direction)
-    return _tandem.select_shapes_by(shapes, selection)
+    return _tandem.select_shapes_by(shapes, selection, viewpoint)
 
 
 def label_points(

@@ -72,6 +72,7 @@ enum settings_t { settings };
 enum shape_points_t { shape_points };
 enum simplicity_t { simplicity };
 enum surfel_size_t { surfel_size };
+enum viewpoint_map_t { viewpoint_map };
 
 } // namespace internal_np
 
@@ -114,7 +115,8 @@ enum surfel_size_t { surfel_size };
   X(orthogonal_direction, orthogonal_direction_t)                                                                      \
   X(near_angle, near_angle_t)                                                                                          \
   X(shape_points, shape_points_t)                                                                                      \
-  X(reach, reach_t)
+  X(reach, reach_t)                                                                                                    \
+  X(viewpoint_map, viewpoint_map_t)
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

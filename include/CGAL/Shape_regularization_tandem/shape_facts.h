@@ -6,6 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
@@ -14,11 +15,13 @@
 #include <CGAL/Tandem/internal/base/angles.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -76,6 +79,39 @@ void keep_directed_shapes(const Shapes_data& data, const NP& np, std::vector<std
   }
 }
 
+// From where the points were seen, where a map tells that.
+template <class PointRange, class NP>
+facts::Stations stations_of(const PointRange& points, const NP& np)
+{
+  facts::Stations result;
+  if constexpr(Is_given<internal_np::viewpoint_map_t, NP>::value) {
+    const auto& map = parameter<internal_np::viewpoint_map_t>(np, 0);
+    Numbering<Position> number;
+    for(const auto& item : points) {
+      const auto& p = get(map, item);
+      Position place = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      if(!std::isfinite(place[0] + place[1] + place[2]))
+        place = {HUGE_VAL, 0, 0}; // a key, as NaN is none
+      result.of_point.push_back(std::uint32_t(number(place)));
+      if(result.of_point.back() == result.places.size())
+        result.places.push_back(place);
+    }
+  }
+  return result;
+}
+
+// Without veils, where a map tells from where the points were seen.
+template <class GeomTraits, class PointRange, class NP>
+void keep_surfaces(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points, const NP& np,
+                   std::vector<std::size_t>& kept)
+{
+  if constexpr(Is_given<internal_np::viewpoint_map_t, NP>::value) {
+    const std::vector<char> veils =
+      facts::veil_table(checked_coordinates(shapes, points, np), shapes.data(), stations_of(points, np));
+    keep_shapes(kept, [&](std::size_t s) { return veils[s] == 0; });
+  }
+}
+
 // By area and extent, where least ones are given.
 template <class GeomTraits, class PointRange, class NP>
 void keep_measured_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points, const NP& np,
@@ -118,7 +154,7 @@ std::vector<Shape_facts> facts_of_shapes(const Planar_shapes_3<GeomTraits>& shap
   const CGAL::Simple_cartesian<double>::Vector_3 by_default(axis[0], axis[1], axis[2]);
   const Vector up = upward(parameter<internal_np::symmetry_direction_t>(np, by_default));
   const auto coordinates = checked_coordinates(shapes, points, np);
-  return facts_table(coordinates, shapes.data(), up, outlines_of(coordinates));
+  return facts_table(coordinates, shapes.data(), up, outlines_of(coordinates), stations_of(points, np));
 }
 
 } // namespace internal::facts
@@ -148,6 +184,13 @@ The result is the same for every number of threads, and does not depend on the o
     takes z to it}
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{the `symmetry_direction` of the detection, which is (0, 0, 1) if it was not given}
+  \cgalParamNEnd
+  \cgalParamNBegin{viewpoint_map}
+    \cgalParamDescription{a property map from the values of the range to the places from which a sensor saw the points,
+    for `Shape_facts::is_veil` and `Shape_facts::behind`. A `CGAL::Constant_property_map` serves one station. Where a
+    coordinate is not finite, the place is not known.}
+    \cgalParamType{a readable property map with values of type `Point_3` of a kernel}
+    \cgalParamDefault{the places are not known}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -198,7 +241,7 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
 the result, from their indices.
 
 \param shapes the result of a detection
-\param points the range of points that it is of. Only `minimum_area` and `minimum_extent` read it.
+\param points the range of points that it is of. Only `minimum_area`, `minimum_extent` and `viewpoint_map` read it.
 \param np a sequence of named parameters, among those listed below
 
 \cgalNamedParamsBegin
@@ -223,6 +266,10 @@ the result, from their indices.
     points, of equal ones those of lower index}
     \cgalParamDefault{all}
   \cgalParamNEnd
+  \cgalParamNBegin{viewpoint_map}
+    \cgalParamDescription{as above: leaves out shapes with `Shape_facts::is_veil`}
+    \cgalParamDefault{veils are shapes as others}
+  \cgalParamNEnd
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map from the values of the range to points}
     \cgalParamDefault{that of the range: the identity, or the point map of a `CGAL::Point_set_3`}
@@ -241,6 +288,7 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
   std::vector<std::size_t> kept(shapes.number_of_shapes());
   std::iota(kept.begin(), kept.end(), std::size_t(0));
   internal::keep_directed_shapes(shapes.data(), np, kept);
+  internal::keep_surfaces(shapes, points, np, kept);
   internal::keep_measured_shapes(shapes, points, np, kept);
   std::size_t largest = kept.size();
   internal::read_count<internal_np::largest_t>(np, internal::largest_range, largest);

@@ -175,12 +175,18 @@ Patch patch(const Vec& corner, const Vec& u, const Vec& v, double step = .1)
   return result;
 }
 
-// With points without a shape at the end.
-std::vector<Shape_facts> facts_of(const std::vector<Patch>& patches, const Points& others = {})
-{
-  Points all;
-  std::vector<std::int32_t> labels;
+struct Cloud {
+  Points points;
   Shapes::Data data;
+};
+
+// With points without a shape at the end.
+Cloud cloud_of(const std::vector<Patch>& patches, const Points& others = {})
+{
+  Cloud result;
+  Points& all = result.points;
+  Shapes::Data& data = result.data;
+  std::vector<std::int32_t> labels;
   for(const Patch& p : patches) {
     labels.resize(labels.size() + p.points.size(), std::int32_t(data.size.size()));
     data.parallel_group.push_back(int(data.size.size()));
@@ -195,7 +201,13 @@ std::vector<Shape_facts> facts_of(const std::vector<Patch>& patches, const Point
   data.uncertainty.resize(data.size.size());
   data.shape_of = std::move(labels);
   data.parameters.maximum_distance = .2;
-  return CGAL::Tandem::shape_facts(Shapes(data), all);
+  return result;
+}
+
+std::vector<Shape_facts> facts_of(const std::vector<Patch>& patches, const Points& others = {})
+{
+  const Cloud cloud = cloud_of(patches, others);
+  return CGAL::Tandem::shape_facts(Shapes(cloud.data), cloud.points);
 }
 
 // Two patches on both sides of the axis y, of width 2: those of a cylinder of radius 10, or a ridge of the same angle. The
@@ -339,6 +351,104 @@ BOOST_AUTO_TEST_CASE(test_arguments)
   points.pop_back();
   CHECK(refuses(areas) && throws<std::invalid_argument>([&] { shape.facts(); }));
   CHECK(CGAL::Tandem::shape_facts(Shapes(), Points()).empty());
+}
+
+// --- What the places of sensors tell
+
+// Of each point, by its index.
+struct Places {
+  using key_type = Kernel::Point_3;
+  using value_type = Kernel::Point_3;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const Points* points;
+  std::vector<Kernel::Point_3> places; // of both halves of the points, or of all
+
+  friend value_type get(const Places& map, const Kernel::Point_3& p)
+  {
+    return map.places.size() == 1 || &p < map.points->data() + map.points->size() / 2 ? map.places[0] : map.places[1];
+  }
+};
+
+// As veils(), but of the places of both halves.
+std::vector<Shape_facts> seen_facts(const Cloud& cloud, const Points& places)
+{
+  const auto np = CGAL::Tandem::parameters::viewpoint_map(Places{&cloud.points, places});
+  const std::vector<Shape_facts> facts = CGAL::Tandem::shape_facts(Shapes(cloud.data), cloud.points, np);
+  const Shapes selected = CGAL::Tandem::select_shapes(Shapes(cloud.data), cloud.points, np);
+  CHECK(selected.number_of_shapes() ==
+        std::size_t(std::count_if(facts.begin(), facts.end(), [](const Shape_facts& f) { return !f.is_veil; })));
+  return facts;
+}
+
+const Points origin = {Kernel::Point_3(0, 0, 0)};
+constexpr double ray_step = .01; // radians
+
+// What rays from the origin see of the plane z = -height beyond x = 2: rows of one elevation each, `first` steps below the
+// level and lower. The range is that of the plane, or any from 2 to 6 where there is none between a near and a far surface.
+Patch rows_of_rays(int first, int rows, bool is_veil)
+{
+  scenes::Random random(3);
+  const double height = 3 * std::tan(ray_step * (first + rows / 2.));
+  Patch result = {{}, {0, 0, 1}, height};
+  for(int row = 0; row < rows; ++row)
+    for(int i = -40; i <= 40; ++i) {
+      const double elevation = -ray_step * (first + row), azimuth = ray_step * i;
+      const double range = is_veil ? 2 + 4 * random.uniform() : height / std::sin(-elevation);
+      result.points.emplace_back(range * std::cos(elevation) * std::cos(azimuth),
+                                 range * std::cos(elevation) * std::sin(azimuth), range * std::sin(elevation));
+    }
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(test_veils)
+{
+  const auto is_veil = [](const Patch& p, const Points& from = origin) {
+    Cloud cloud = cloud_of({p});
+    cloud.data.parameters.maximum_distance = .3;
+    return seen_facts(cloud, from)[0].is_veil;
+  };
+  for(const int rows : {1, 2})
+    CHECK_AT(is_veil(rows_of_rays(0, rows, true)), std::to_string(rows));
+  // Of a floor that the rays graze, there are more rows.
+  for(const int rows : {3, 8})
+    CHECK_AT(!is_veil(rows_of_rays(4, rows, false)), std::to_string(rows));
+  // Nor from elsewhere, from a place that is not known, or where only half of the points are edge-on.
+  const Kernel::Point_3 above(0, 0, 2), nowhere(0, 0, std::numeric_limits<double>::infinity());
+  const Patch veil = rows_of_rays(0, 1, true);
+  CHECK(!is_veil(veil, {above}) && !is_veil(veil, {nowhere}) && !is_veil(veil, {origin[0], above}));
+  CHECK(facts_of({veil})[0].is_veil == false);
+  // A row of a wall is not deep, and a post is not edge-on.
+  CHECK(!is_veil(patch({3, -1, 0}, {0, 2, 0}, {0, 0, .03}, .03)));
+  CHECK(!is_veil(patch({3, -.03, -1}, {0, .06, 0}, {0, 0, 2}, .03)));
+}
+
+BOOST_AUTO_TEST_CASE(test_seen_behind)
+{
+  // A window before a room, and a table before a wall.
+  const Patch window = patch({3, -1, -1}, {0, 2, 0}, {0, 0, 2}, .05),
+              room = patch({6, -1.5, -1.5}, {0, 3, 0}, {0, 0, 3});
+  const Patch board = patch({3, -1, -1}, {0, 2, 0}, {0, 0, .9}, .05), wall = patch({6, -2, -.1}, {0, 4, 0}, {0, 0, 3});
+  const auto behind = [](const std::vector<Patch>& patches, const Points& from = origin) {
+    std::vector<int> result;
+    for(const Shape_facts& f : seen_facts(cloud_of(patches), from))
+      result.push_back(f.behind);
+    return result;
+  };
+  CHECK((behind({window, room}) == std::vector<int>{-1, 0}));
+  CHECK((behind({room, window}) == std::vector<int>{1, -1}));
+  CHECK((behind({board, wall}) == std::vector<int>{-1, -1}));
+  CHECK((behind({window, room}, {Kernel::Point_3(9, 0, 0)}) == std::vector<int>{1, -1}));
+  // The nearer of two panes; but none that is as near to the room as the tolerances are.
+  Patch second = window, close = window;
+  for(Kernel::Point_3& p : second.points)
+    p = Kernel::Point_3(p.x() + 1, p.y(), p.z());
+  second.d -= second.normal.x;
+  CHECK((behind({second, window, room}) == std::vector<int>{1, -1, 1}));
+  close = patch({5.7, -1.5, -1.5}, {0, 3, 0}, {0, 0, 3}, .05);
+  CHECK((behind({close, room}) == std::vector<int>{-1, -1}));
+  CHECK(facts_of({window, room})[1].behind == -1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

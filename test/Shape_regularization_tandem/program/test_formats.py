@@ -181,7 +181,7 @@ def test_format_option(p, room_hash):
 
 
 def test_ptx(p, room_hash):
-    """The frame of all scans, and the place of one"""
+    """The frame of all scans, and their places"""
     assert room_hash
     one = p.hash("one.ptx --oriented --planes one.txt --output one.csv",
                  "scans +1, 50 pixels without a point left out\n.*shapes +3 in 3 planes of 3 directions, 3 orth")
@@ -192,11 +192,10 @@ def test_ptx(p, room_hash):
     p(0, NOTHING, "one.ptx --crop=-inf,-inf,-inf,inf,inf,6 --output cut.csv --quiet")
     all_rows, low = ([line.split(",")[:3] for line in p.lines(name)[1:]] for name in ("one.csv", "cut.csv"))
     assert low == [row for row in all_rows if float(row[2]) <= 6]
-    p(0, "normals estimated\n +scans +2 in one file, without a common viewpoint, 100 pixels without a point left out\n.*"
-      "shapes +3 in 3 planes", "two.ptx --output two.csv --colors input")
+    p(0, "normals estimated, towards the viewpoint\n +scans +2, 100 pixels without a point left out\n.*shapes +3 in 3 planes", "two.ptx --output two.csv --colors input")
     names, row = p.lines("two.csv")[:2]
     assert names == "x,y,z,nx,ny,nz,r,g,b,intensity,shape" and re.fullmatch("[0-9.,e+-]+,10,20,250,0.5,[0-9-]+", row)
-    p(1, "two.ptx: does not tell the place of the sensor; --noise needs", "two.ptx --noise 0.01")
+    p(0, "tolerances", "two.ptx --noise 0.01")
     p(1, "one.ptx: is PTX, whose points have no 'classification', which --classes needs", "one.ptx --classes 2")
 
 

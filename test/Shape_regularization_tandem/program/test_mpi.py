@@ -126,8 +126,6 @@ def test_the_same_of_other_inputs(p, written, pattern, inputs, names):
     *([] if os.environ.get("TANDEM_WITH_MPI_CUDA") == "1" else [
         (2, 2, "--backend is 'cuda', but in several processes", f"{ALL} --backend cuda")]),
     (2, 2, "--estimate-normals with a number needs all points", f"{ALL} --estimate-normals 12"),
-    (2, 1, "--viewpoint is for estimated normals, but the input has normals",
-     f"cube.ply given.ply {OPTIONS} --viewpoint 4,1.5,2"),
     (3, 1, "taken/border.csv: is a directory", f"{ALL} --output-directory taken --planes taken/planes"),
     *3 * [(3, 1, "/dev/full: cannot be written completely .No space",  # the folders that they make, too
            f"{ALL} {OPTIONS} --output-directory made/one/two --planes /dev/full")]])

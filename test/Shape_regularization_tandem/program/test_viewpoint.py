@@ -53,7 +53,7 @@ def groups(p, name):
     # Far away a step of float is half a unit.
     *(("far", 1, (x, 2, 2), f"far.xyz --viewpoint {x},2,2") for x in (4500001.25, 4500000.75)),
     # Given normals are oriented.
-    ("outside", -1, (5, 6, 7), "outside.xyz"), ("outside", -1, (5, 6, 7), "outside.pcd"),
+    *(("outside", -1, (5, 6, 7), cloud) for cloud in ("outside.xyz", "outside.xyz --viewpoint 5,6,7", "outside.pcd")),
     ("bare", 1, (5, 6, 7), "outside.xyz --estimate-normals --viewpoint 5,6,7"),
     # VIEWPOINT of PCD files
     ("bare", 1, (5, 6, 7), "inside.pcd"), ("bare", -1, (5, 6, 7), "inside.pcd --viewpoint 0,0,0"),
@@ -83,9 +83,6 @@ def test_no_viewpoint(p, plain):
         p(WARNS, rf"\Adetect_planes: warning: {name}.pcd: the VIEWPOINT of the PCD header is not seven finite numbers[^\n]*"
           r"\n\Z", f"{name}.pcd E --quiet --output again.ply")
         assert p.is_same("again.ply", "bare.ply")
-    p(1, "--viewpoint is for estimated normals, but the input has normals",
-      "outside.xyz E --viewpoint 5,6,7 --planes none.planes")
-    assert not p.has("none.planes")
 
 
 def test_several_inputs(p):

@@ -49,6 +49,32 @@ def test_criteria():
         check(tandem.select_shapes(shapes, **criteria), np.flatnonzero(expected).tolist())
 
 
+def test_viewpoint():
+    """A wall before another one, and a column of pixels between a near and a far one, from one place or that of each
+    point."""
+    random = np.random.default_rng(0)
+    azimuth, elevation = (0.01 * steps.ravel() for steps in np.meshgrid(np.arange(-30, 31), np.arange(-30, 31)))
+    rays = np.stack([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)], 1)
+    is_near = np.arange(len(rays)) % 2 == 0
+    walls = rays * (np.where(is_near, 2, 5) / rays[:, 0])[:, None]
+    angle = np.repeat(0.01 * np.arange(-30, 31), 2)
+    veil = np.stack([np.cos(angle), 0 * angle, np.sin(angle)], 1) * random.uniform(8, 10, (len(angle), 1))
+    points = np.concatenate([walls, veil])
+    shapes = tandem.detect_planes(points, maximum_distance=0.02, minimum_region_size=60)
+    assert (shapes.labels[len(walls):] >= 0).any() and "behind" not in shapes.table()
+    for viewpoint in ((0, 0, 0), np.zeros_like(points)):
+        selected = tandem.select_shapes(shapes, viewpoint=viewpoint)
+        assert (selected.labels[len(walls):] < 0).all() and len(selected) == 2
+        near, far = selected.labels[is_near.argmax()], selected.labels[is_near.argmin()]
+        behind = selected.table(viewpoint=viewpoint)["behind"]
+        assert behind.dtype == np.int64 and behind[near] == -1 and behind[far] == near
+    assert len(tandem.select_shapes(shapes, viewpoint=(np.nan, 0, 0))) == len(shapes)
+    for wrong in ((0, 0), points[1:], "abc"):
+        for function in (shapes.table, lambda viewpoint: tandem.select_shapes(shapes, viewpoint=viewpoint)):
+            with pytest.raises(ValueError, match="viewpoint must be three numbers, or three for each of the"):
+                function(viewpoint=wrong)
+
+
 def test_errors():
     points, shapes = room()[0], shapes_of_room()
     for wrong, word in (([6], "no shape 6"), ([-1], "no shape -1"), ([1, 1], "twice"), ([True] * 5, "truth value"),

@@ -83,6 +83,12 @@ struct Shape_facts {
   double curved = 0;
   /// what the shape is, by its angle to the level and by the shapes above, below and around it
   Shape_class shape_class = Shape_class::none;
+  /// whether the shape is a veil: no surface, but points that a sensor puts between a near and a far surface. False
+  /// without `viewpoint_map`. \ref Tandem_models_sight has the definition.
+  bool is_veil = false;
+  /// the shape through which the sensor saw this one, as a mirrored room behind a window; -1 if there is none, or
+  /// without `viewpoint_map`
+  int behind = -1;
 };
 
 } // namespace CGAL::Tandem

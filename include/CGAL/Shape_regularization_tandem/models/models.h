@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -77,10 +78,21 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
 
 namespace facts {
 
+// From where points were seen; empty if that is not known of any.
+struct Stations {
+  std::vector<Position> places; // not finite: not known
+  std::vector<std::uint32_t> of_point;
+};
+
+// Whether shapes are veils.
+CGAL_TANDEM_MODELS_INLINE std::vector<char> veil_table(const std::vector<Position>& points, const Shapes_data& data,
+                                                       const Stations& stations);
+
 // The facts of shapes. Most of the time is spent in outline_table(), for their areas.
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
                                                                const Shapes_data& data, const Vector& up,
-                                                               const outlines::Polygon_table& areas);
+                                                               const outlines::Polygon_table& areas,
+                                                               const Stations& stations = {});
 
 } // namespace facts
 

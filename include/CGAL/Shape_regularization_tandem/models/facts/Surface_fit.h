@@ -6,13 +6,29 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_SURFACE_FIT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_SURFACE_FIT_H
 
+#include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Tandem::internal::facts {
+
+// About the first point, as coordinates may be large.
+inline Scatter scatter_of(const std::vector<Vector>& points)
+{
+  Scatter s = {double(points.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+  for(const Vector& p : points)
+    s.centroid = s.centroid + (p - points[0]);
+  s.centroid = (1 / s.count) * s.centroid;
+  for(const Vector& p : points) {
+    const Vector v = p - points[0] - s.centroid;
+    s.matrix = s.matrix + Symmetric_matrix{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+  }
+  return s;
+}
 
 // Coordinates u and v in a plane and a height w above it, in units of `scale`.
 class Height_frame {

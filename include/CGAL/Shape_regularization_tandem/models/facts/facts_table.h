@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_FACTS_FACTS_TABLE_H
 
 #include <CGAL/Shape_regularization_tandem/models/facts/Point_columns.h>
+#include <CGAL/Shape_regularization_tandem/models/facts/Sight.h>
 #include <CGAL/Shape_regularization_tandem/models/facts/curvature.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
@@ -141,20 +142,6 @@ inline Rectangle_sides smallest_rectangle(const std::vector<Flat_point>& points)
 
 // --- The points of a shape against its plane, and against the plane that fits them best
 
-// About the first point, as coordinates may be large.
-inline Scatter scatter_of(const std::vector<Vector>& points)
-{
-  Scatter s = {double(points.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
-  for(const Vector& p : points)
-    s.centroid = s.centroid + (p - points[0]);
-  s.centroid = (1 / s.count) * s.centroid;
-  for(const Vector& p : points) {
-    const Vector v = p - points[0] - s.centroid;
-    s.matrix = s.matrix + Symmetric_matrix{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
-  }
-  return s;
-}
-
 // The angle between a plane of this normal and the least-squares plane. There are many where the two smallest eigenvalues
 // are equal, as of points on a line: the plane is as close to the closest of them.
 inline double turned_deg(const Vector& normal, const Eigen_system& e, double count)
@@ -173,8 +160,8 @@ class Facts_maker {
 public:
   // up: of length 1; areas: the outlines of the shapes
   Facts_maker(const std::vector<Position>& points, const Shapes_data& data, const Vector& up,
-              const outlines::Polygon_table& areas)
-    : points(points), areas(areas), shapes(data), unit(points, shapes), level(up)
+              const outlines::Polygon_table& areas, const Stations& stations)
+    : points(points), areas(areas), stations(stations), shapes(data), unit(points, shapes), level(up)
   {}
 
   std::vector<Shape_facts> facts() const
@@ -191,6 +178,7 @@ public:
     for(std::size_t s = 0; s < result.size(); ++s)
       result[s].curved = curved[s];
     classify(patches, result);
+    look(patches, result);
     return result;
   }
 
@@ -288,10 +276,25 @@ private:
     });
   }
 
+  // From the stations.
+  void look(const std::vector<Shape_patch>& patches, std::vector<Shape_facts>& facts) const
+  {
+    if(stations.of_point.empty())
+      return;
+    const Sight sight(points, shapes, unit, stations);
+    const std::vector<char> veils = sight.veils();
+    const std::vector<Crossed_shape> crossed(patches.begin(), patches.end());
+    for_each_in_parallel(facts.size(), [&](std::size_t s) {
+      facts[s].is_veil = veils[s] != 0;
+      facts[s].behind = sight.behind(s, crossed);
+    });
+  }
+
   Vector vector_of(const Position& p) const { return {unit.in(p[0]), unit.in(p[1]), unit.in(p[2])}; }
 
   const std::vector<Position>& points;
   const outlines::Polygon_table& areas;
+  const Stations& stations;
   outlines::Shapes shapes;
   outlines::Unit unit;
   Level_frame level;
@@ -300,9 +303,18 @@ private:
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
                                                                const Shapes_data& data, const Vector& up,
-                                                               const outlines::Polygon_table& areas)
+                                                               const outlines::Polygon_table& areas,
+                                                               const Stations& stations)
 {
-  return Facts_maker(points, data, up, areas).facts();
+  return Facts_maker(points, data, up, areas, stations).facts();
+}
+
+// NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
+CGAL_TANDEM_MODELS_INLINE std::vector<char> veil_table(const std::vector<Position>& points, const Shapes_data& data,
+                                                       const Stations& stations)
+{
+  const outlines::Shapes shapes(data);
+  return Sight(points, shapes, outlines::Unit(points, shapes), stations).veils();
 }
 
 } // namespace CGAL::Tandem::internal::facts
