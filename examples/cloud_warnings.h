@@ -235,15 +235,23 @@ struct Free_reason {
   const char* advice; // what to change
 };
 
+// What the statistics do not tell of free points.
+struct Free_origin {
+  bool has_given_normals = true; // those that the caller has; otherwise those that the caller has asked for
+  std::size_t veil_points = 0;   // in shapes that are no surface; the statistics count them as not selected
+};
+
 // Those that points have, the most frequent first.
-inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
+inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s, const Free_origin& origin)
 {
   const CGAL::Tandem::Free_points& f = s.free_points;
   std::vector<Free_reason> reasons = {
     {f.without_normal, "without a normal",
      "their neighbors are on a line, or --maximum-distance is larger than the objects: try a larger --k-neighbors or a "
      "smaller --maximum-distance"},
-    {f.misaligned, "kept out by their normals", "--estimate-normals adds about as many to shapes"},
+    {f.misaligned, "kept out by their normals",
+     origin.has_given_normals ? "--estimate-normals mostly adds about as many to shapes"
+                              : "--estimate-normals without a number mostly adds about as many to shapes"},
     {f.misfit, "just beyond the tolerances of a shape",
      "a larger --maximum-distance or --maximum-angle adds more of them"},
     {f.without_neighbors, "alone",
@@ -252,11 +260,13 @@ inline std::vector<Free_reason> free_reasons(const CGAL::Tandem::Statistics& s)
      s.line_spacing > 0 ? "a smaller --minimum-region-size adds more of them, but a face needs points of two scan lines"
                         : "a smaller --minimum-region-size adds more of them"},
     {f.clutter, "in clutter",
-     s.has_estimated_normals
+     s.has_estimated_normals || !origin.has_given_normals
        ? "they are on no surface, or --maximum-distance or --maximum-angle is too small for their noise"
        : "they are on no surface, --maximum-distance or --maximum-angle is too small for their noise, or their normals "
          "are wrong, such as with exchanged axes (--estimate-normals)"},
-    {f.unselected, "in shapes that were not selected", "the options of the selection leave them out"}};
+    {origin.veil_points, "in veils", "they are mixed pixels, edge-on to the sensor"},
+    {f.unselected - origin.veil_points, "in shapes that were not selected",
+     "the options of the selection leave them out"}};
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const Free_reason& a, const Free_reason& b) { return a.points > b.points; });
   while(!reasons.empty() && reasons.back().points == 0)
@@ -299,8 +309,11 @@ double smallest_noise(const Measure& measure, const Processes& processes)
 }
 
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p,
-                             const char* tolerances)
+                             const char* tolerances, const Free_origin& origin)
 {
+  if(origin.veil_points > 0)
+    return sentence("no shape is left: all shapes, of ", origin.veil_points,
+                    " points, are veils, edge-on to the sensor and in fewer than three rows of rays (--viewpoint)");
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
   if(points == 0 && s.number_of_ignored_tolerances > 0)
     return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,
@@ -308,10 +321,12 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
   if(points < p.minimum_region_size)
     return sentence("no shape was found: the number of points is ", points, ", but a shape has at least ",
                     p.minimum_region_size, " (--minimum-region-size)");
-  return sentence("no shape was found: no ", p.minimum_region_size,
-                  " connected points (--minimum-region-size), other than on a line or in one place, are within ",
-                  p.maximum_distance, " of a plane (--maximum-distance) and ", p.maximum_angle,
-                  " degrees (--maximum-angle)");
+  return sentence(
+    "no shape was found: no ", p.minimum_region_size,
+    " connected points (--minimum-region-size), other than on a line or in one place, are within ", p.maximum_distance,
+    " of a plane (--maximum-distance) and ", p.maximum_angle, " degrees (--maximum-angle)",
+    origin.has_given_normals && !s.has_estimated_normals ? ", or the given normals are wrong (--estimate-normals)"
+                                                         : "");
 }
 
 inline double percent(const CGAL::Tandem::Statistics& s, std::size_t points)
@@ -320,9 +335,9 @@ inline double percent(const CGAL::Tandem::Statistics& s, std::size_t points)
 }
 
 // There are free points. Ratios of all points, as those of the summary are.
-inline std::string why_poor(const CGAL::Tandem::Statistics& s)
+inline std::string why_poor(const CGAL::Tandem::Statistics& s, const Free_origin& origin)
 {
-  const Free_reason reason = free_reasons(s).at(0);
+  const Free_reason reason = free_reasons(s, origin).at(0);
   return sentence("only ", percent(s, s.number_of_assigned_points), " % of the points are in shapes, and ",
                   percent(s, reason.points), " % are ", reason.name, ": ", reason.advice);
 }
@@ -330,8 +345,8 @@ inline std::string why_poor(const CGAL::Tandem::Statistics& s)
 inline std::string why_misaligned(const CGAL::Tandem::Statistics& s)
 {
   return sentence("given normals keep ", percent(s, s.free_points.misaligned),
-                  " % of the points out of shapes on whose planes they are: --estimate-normals adds about as many "
-                  "to shapes");
+                  " % of the points out of shapes on whose planes they are: --estimate-normals mostly adds about "
+                  "as many to shapes");
 }
 
 // How a caller has asked for the shapes.
@@ -340,7 +355,7 @@ struct Asked_shapes {
   bool is_distance_given = false; // one for all points
   const char* tolerances = "";    // what gives each point its own
   std::string planes_from = {};   // where known planes are from, which are the shapes
-  bool has_given_normals = true;  // or those that the library estimates; not others that the caller has asked for
+  Free_origin free = {};
 };
 
 // Of the points and shapes of all ranks, some of which may have no points. The function measures the noise of the own
@@ -373,10 +388,11 @@ std::vector<std::string> cloud_warnings(const Points& points, const Shapes& shap
                                 ": a larger --maximum-distance or --maximum-angle adds more points, or the planes "
                                 "belong to another cloud"));
   else if(s.number_of_shapes == 0)
-    warnings.push_back(why_empty(s, p, asked.tolerances));
+    warnings.push_back(why_empty(s, p, asked.tolerances, asked.free));
   else if(is_poor && s.number_of_rounds > 0)
-    warnings.push_back(why_poor(s));
-  else if(asked.has_given_normals && double(s.free_points.misaligned) >= many_misaligned * double(s.number_of_points))
+    warnings.push_back(why_poor(s, asked.free));
+  else if(asked.free.has_given_normals &&
+          double(s.free_points.misaligned) >= many_misaligned * double(s.number_of_points))
     warnings.push_back(why_misaligned(s));
   if(extent > 0 && p.maximum_distance > largest_distance_per_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,

@@ -49,8 +49,8 @@ constexpr std::array<Shape_column<Plane_uncertainty>, 3> uncertainty_columns = {
    {"angle_deviation_deg", &Plane_uncertainty::angle_deg}}};
 
 // All columns in their order: f(name, value_of), where value_of(s) is a whole number for counts, groups and shapes, of
-// which -1 is none, and a word for the class. `behind` is a column only where the sensor is known. What a shape has not is not a number: the area, if it has no outline, and what is measured at points, if it
-// has none.
+// which -1 is none, and a word for the class. `behind` is a column only where the sensor is known. What a shape has not
+// is not a number: the area, if it has no outline, and what is measured at points, if it has none.
 template <class Shapes, class F>
 void for_each_shape_column(const Shapes& shapes, const std::vector<Shape_facts>& facts, bool is_seen, F f)
 {

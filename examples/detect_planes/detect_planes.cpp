@@ -72,8 +72,7 @@ inline void dissolve_veils(const Point_set& points, const Options& o, Run& run, 
   Shapes kept = without_veils(shapes, points);
   run.veils = shapes.number_of_shapes() - kept.number_of_shapes();
   run.veil_points = shapes.statistics().number_of_assigned_points - kept.statistics().number_of_assigned_points;
-  if(run.veils > 0)
-    shapes = std::move(kept);
+  shapes = std::move(kept);
 }
 
 // --- The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
@@ -435,23 +434,23 @@ void run(Options o, Processes& processes, Made_folders& folders)
   processes.together([&] { choose_tolerances(cloud.points, processes, o); });
   processes.together([&] { prepare_tolerances(o, cloud); });
   Outward_sides sides(o, cloud, processes, run);
-  if(!processes.are_many())
-    note_viewpoints(o, tandem_examples::box_of(cloud.points.points(), processes).box, cloud);
+  const bool are_seen = !processes.are_many() && note_viewpoints(o, cloud);
 
   std::optional<Shapes> shapes;
-  processes.together([&] { shapes.emplace(detect_upward(cloud.points, o, processes, run)); });
+  processes.together([&] {
+    shapes.emplace(detect_upward(cloud.points, o, processes, run));
+    if(are_seen)
+      dissolve_veils(cloud.points, o, run, *shapes);
+  });
   // What the back end that was chosen in the end ran on.
   const std::string& backend = shapes->statistics().backend;
   run.device = backend == "cuda" ? CGAL::Tandem::cuda_device_report() : "CPU";
   run.threads = backend == "parallel" ? limit.threads() : 1;
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, processes);
-  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run.tolerance);
+  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, processes, run);
   warnings.emplace_back(sides.warning());
   std::optional<Shapes> all; // before the selection
-  processes.together([&] {
-    dissolve_veils(cloud.points, o, run, *shapes);
-    all = select(cloud.points, o, run, *shapes, warnings);
-  });
+  processes.together([&] { all = select(cloud.points, o, run, *shapes, warnings); });
   run.hash = processes.are_many() ? hash_of_all(*shapes, cloud.parts, rank_of_input, processes) : shapes->hash();
   run.peak_bytes = std::size_t(processes.largest(double(peak_process_bytes())));
   add_warnings(warnings, processes.is_first(), run);

@@ -69,22 +69,26 @@ inline std::vector<View> views_of(const Options& o, const Input_part& part, bool
   return views;
 }
 
-// Puts the places beside the points. A place that is far from all points stands for a side, as above a tile, and not for a
-// sensor.
-inline void note_viewpoints(const Options& o, const Box& box, Input_cloud& cloud)
+// Puts the places beside the points; returns whether there are any. A place that is given, and farther from the points
+// than they extend, stands for a side, as above a tile, and not for a sensor.
+inline bool note_viewpoints(const Options& o, Input_cloud& cloud)
 {
-  constexpr double far = 10; // extents of the points away
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const double extent = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const Box of_points = CGAL::bbox_3(cloud.points.points().begin(), cloud.points.points().end());
+  bool are_any = false;
   for(const Input_part& part : cloud.parts)
     for(const View& view : views_of(o, part, false)) {
+      const Box box = part.notes.box + of_points;
+      const double extent = std::hypot(box.x_span(), box.y_span(), box.z_span());
       const auto away = [&](int c) { return (std::max)({box.min(c) - view.from[c], view.from[c] - box.max(c), 0.}); };
-      if(std::hypot(away(0), away(1), away(2)) > far * extent)
+      if(o.viewpoint && std::hypot(away(0), away(1), away(2)) > extent)
         continue;
+      are_any = true;
       const auto places = cloud.points.add_property_map(viewpoint_name, Kernel::Point_3(nan, nan, nan)).first;
       for(Point_set::Index i : part_of(cloud.points, view.first, view.last))
         places[i] = view.from;
     }
+  return are_any;
 }
 
 // Of the column the reader has made the property already; where a rank has no points, it is empty. Those of auto-local
@@ -445,10 +449,13 @@ try {
 
 // Of the whole run, on all ranks.
 inline std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                             const Processes& processes, const Tolerance_facts& tolerance)
+                                             const Processes& processes, const Run& run)
 {
-  const tandem_examples::Asked_shapes asked = {tolerance.mean, o.maximum_distance && !tolerance.is_of_each_point,
-                                               "--tolerance-column, --noise", o.planes_from, !o.estimate_normals};
+  const tandem_examples::Asked_shapes asked = {run.tolerance.mean,
+                                               o.maximum_distance && !run.tolerance.is_of_each_point,
+                                               "--tolerance-column, --noise",
+                                               o.planes_from,
+                                               {!o.estimate_normals, run.veil_points}};
   return tandem_examples::cloud_warnings(
     points.points(), shapes, asked, [&] { return CGAL::Tandem::estimate_noise(points); }, processes);
 }

@@ -64,16 +64,15 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
   add(group, "sample", number_option(o.sample, "N"),
       "put N points on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the normals "
       "of the faces; 0: take the corners of the faces. Without this option, the program refuses a file with faces");
-  add(group, "viewpoint",
-      parsed_option("X,Y,Z",
-                    [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
-      "the place of the sensor, from which all points were seen: estimated normals and outward sides of planes are "
-      "towards "
-      "it, --noise measures distances from it, shapes that it cannot have measured are left out, and --shapes tells "
-      "which "
-      "it saw behind others (default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, and the "
-      "place of "
-      "each scan in .ptx)");
+  add(
+    group, "viewpoint",
+    parsed_option("X,Y,Z",
+                  [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
+    "the place of the sensor, from which all points were seen: estimated normals and, with them, outward sides of "
+    "planes are towards it, and --noise measures distances from it. Unless it is farther away than the points extend, "
+    "or there are several processes, points of shapes that it cannot have measured become free, and --shapes tells "
+    "which ones it saw behind others (default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, "
+    "and the place of each scan in .ptx)");
   add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
       "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras, also where they are few or near other "
       "points: they get no shape");
@@ -277,7 +276,7 @@ inline std::string long_help(const Built_with& built, const po::options_descript
     "2: bad usage. A second Ctrl-C ends the run at once.\n",
     built.mpi
       ? "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
-        "machines; the result is the same as that of one process.\n"
+        "machines; the result is the same as that of one process, but for veils (--viewpoint).\n"
       : "",
     options);
 }

@@ -115,39 +115,23 @@ struct Row_map {
   using category = boost::readable_property_map_tag;
 
   const double* values;
+  std::size_t step = 3; // 0: all rows are the same
 
   friend value_type get(const Row_map& map, std::size_t i)
   {
-    const double* v = map.values + 3 * i;
+    const double* v = map.values + map.step * i;
     return value_type(v[0], v[1], v[2]);
   }
 };
 using Point_map = Row_map<Kernel::Point_3>;
 using Normal_map = Row_map<Kernel::Vector_3>;
 
-// The places from which points were seen.
-struct Viewpoint_map {
-  using key_type = std::size_t;
-  using value_type = Kernel::Point_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  const double* values;
-  std::size_t step;
-
-  friend value_type get(const Viewpoint_map& map, std::size_t i)
-  {
-    const double* v = map.values + map.step * i;
-    return value_type(v[0], v[1], v[2]);
-  }
-};
-
 // Calls f with the named parameters for the maps of the points and of their viewpoints, where they are known ...
 template <class F>
 auto with_viewpoints(const Cloud& cloud, const F& f)
 {
   const auto points = np::point_map(Point_map{cloud.points});
-  return cloud.viewpoints != nullptr ? f(points.viewpoint_map(Viewpoint_map{cloud.viewpoints, cloud.viewpoint_step}))
+  return cloud.viewpoints != nullptr ? f(points.viewpoint_map(Point_map{cloud.viewpoints, cloud.viewpoint_step}))
                                      : f(points);
 }
 

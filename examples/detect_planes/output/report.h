@@ -24,12 +24,12 @@ using tandem_examples::Free_reason;
 
 // The ratios of all points, and what to change. Of many free points, which nobody expects, all frequent reasons are
 // told.
-inline std::string free_text(const CGAL::Tandem::Statistics& s)
+inline std::string free_text(const CGAL::Tandem::Statistics& s, const tandem_examples::Free_origin& origin)
 {
   std::ostringstream text;
   text << std::setprecision(3);
   const auto percent = [&](std::size_t points) { return tandem_examples::percent(s, points); };
-  const std::vector<Free_reason> reasons = tandem_examples::free_reasons(s);
+  const std::vector<Free_reason> reasons = tandem_examples::free_reasons(s, origin);
   if(reasons.empty())
     return "none";
   text << percent(s.free_points.total()) << " %: ";
@@ -240,8 +240,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                        {"note", run.tolerance.note}};
   json["up"] = {{"direction", run.up.direction}, {"source", run.up_source}, {"seconds", run.up_seconds}};
   json["planes_from"] = run.planes_from.empty() ? Json() : Json(utf8(run.planes_from));
-  if(run.veils > 0)
-    json["veils"] = {{"shapes", run.veils}, {"points", run.veil_points}};
+  json["veils"] = {{"shapes", run.veils}, {"points", run.veil_points}};
   json["selection"] = nullptr; // the outputs have all shapes that were detected
   if(!run.selection.empty())
     json["selection"] = {{"options", utf8(run.selection)},
@@ -323,8 +322,8 @@ inline std::string summary(const Shapes& shapes, const Run& run)
                  << ", not detected: points are within the tolerances, but shapes need not be connected\n";
   if(run.veils > 0)
     row("veils") << run.veils << (run.veils == 1 ? " shape" : " shapes")
-                 << " between a near and a far surface, edge-on "
-                 << "to the sensor: " << run.veil_points << " points are free\n";
+                 << " edge-on to the sensor, in fewer than three rows of rays: " << run.veil_points
+                 << " points are free\n";
   if(!run.selection.empty())
     row("selection") << s.number_of_shapes << " of " << run.detected_shapes << " shapes, with "
                      << s.number_of_assigned_points << " of " << run.detected_points << " points ("
@@ -335,7 +334,7 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
                  << s.complexity << '\n';
   if(run.planes_from.empty())
-    row("free") << free_text(s) << '\n';
+    row("free") << free_text(s, {run.normals == "given", run.veil_points}) << '\n';
   row("seconds") << s.times.total + run.normal_seconds << " (normals " << s.times.normals + run.normal_seconds
                  << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
                  << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "

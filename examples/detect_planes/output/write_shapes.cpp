@@ -54,9 +54,8 @@ Shapes measured_shapes(const Shapes& shapes, const Point_set& points, const Opti
 
 Shapes without_veils(const Shapes& shapes, const Point_set& points)
 {
-  const auto places = find_property<Kernel::Point_3>(points, viewpoint_name);
-  return places ? CGAL::Tandem::select_shapes(shapes, points, CGAL::Tandem::parameters::viewpoint_map(*places))
-                : shapes;
+  const auto places = *find_property<Kernel::Point_3>(points, viewpoint_name);
+  return CGAL::Tandem::select_shapes(shapes, points, CGAL::Tandem::parameters::viewpoint_map(places));
 }
 
 Shapes selected_shapes(const Shapes& all, const Point_set& points, const Options& o)

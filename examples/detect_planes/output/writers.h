@@ -31,7 +31,7 @@ inline std::string why_empty(const Shape_areas& areas)
                   " too few points for an outline: ", n == 1 ? "it has" : "they have", " neither polygons nor lines");
 }
 
-// Those of the shapes that are no veils: all, where the places of sensors are not known.
+// Those of the shapes that are no veils. The points have the places from which they were seen.
 Shapes without_veils(const Shapes& shapes, const Point_set& points);
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.

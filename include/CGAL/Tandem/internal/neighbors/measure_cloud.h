@@ -166,12 +166,12 @@ inline bool is_same_noise(double a, double b)
 
 // Whether the square of the spacing, too, varies between smoothed patches with little and with much noise, as where both
 // grow with the range.
-inline bool is_noise_sparse(const std::vector<Patch_noise>& smooth, double low_noise, double high_noise)
+inline bool is_noise_sparse(const std::vector<Patch_noise>& patches, double low_noise, double high_noise)
 {
   std::vector<double> quiet, noisy;
-  for(const Patch_noise& s : smooth)
-    (s.noise * s.noise > low_noise * high_noise ? noisy : quiet).push_back(s.spacing);
-  const double ratio = quantile(noisy, .5) / (std::max)(quantile(quiet, .5), 1e-300);
+  for(const Patch_noise& p : patches)
+    (p.noise / low_noise > high_noise / p.noise ? noisy : quiet).push_back(p.spacing);
+  const double ratio = quantile(noisy, .5) / quantile(quiet, .5);
   return ratio * ratio > tuning::estimation::varied_noise;
 }
 
@@ -182,13 +182,13 @@ void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud
 {
   using namespace tuning::estimation;
   const Patch_tree tree(std::move(patches));
-  const std::vector<Patch_noise> smooth_patch = smoothed(backend, tree);
+  const std::vector<Patch_noise> smoothed_patch = smoothed(backend, tree);
   std::vector<double> noise, smooth;
   std::int64_t differ = 0, differ_nearby = 0;
   for(const Patch_noise& p : tree.patches())
     noise.push_back(p.noise);
   const double median = quantile(noise, .5);
-  for(const Patch_noise& s : smooth_patch) {
+  for(const Patch_noise& s : smoothed_patch) {
     const double own = tree.patches()[smooth.size()].noise;
     differ += !is_same_noise(own, median);
     differ_nearby += !is_same_noise(own, s.noise);
@@ -197,7 +197,7 @@ void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud
   m.low_noise = quantile(smooth, low_noise_quantile);
   m.high_noise = quantile(smooth, 1 - low_noise_quantile);
   m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ) &&
-             is_noise_sparse(smooth_patch, m.low_noise, m.high_noise);
+             is_noise_sparse(smoothed_patch, m.low_noise, m.high_noise);
 }
 
 template <class Backend>

@@ -107,8 +107,8 @@ constexpr double smallest_distance = 1e-6;
 // Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are missed.
 constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
-// But no more than the first, or than the second times epsilon in units of the spacing if that is more. Larger: roofs of
-// large tiles get no shape.
+// But at most the first, or, if that is more, the second times epsilon in units of the spacing. Larger: roofs of large
+// tiles get no shape.
 constexpr double largest_region_size = 100;
 constexpr double region_size_per_distance = 400;
 // For planes that were found elsewhere: epsilon in units of the rms distance of their points.
