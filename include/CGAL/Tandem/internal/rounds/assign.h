@@ -195,8 +195,10 @@ private:
       return true;
     if((changed.labels & entries[i]) == 0)
       return false;
-    const std::uint32_t* neighbor = cloud.row(i);
     Change_pass last = Backend::atomic_load(change[i]);
+    if(Change_passes::is_recent(last, pass))
+      return true;
+    const std::uint32_t* neighbor = cloud.row(i);
     int j = 0;
     for(; j < cloud.k && neighbor[j] < cloud.size; ++j) {
       const Change_pass c = Backend::atomic_load(change[neighbor[j]]);
