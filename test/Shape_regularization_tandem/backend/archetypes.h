@@ -169,7 +169,7 @@ struct Sort_table {
 // Backend, for functors that run at the same time; integers only:
 //   atomic_add(target, value), atomic_min(target, value)   return the old target
 //   atomic_max(target, value)
-//   atomic_load(target)
+//   atomic_load(target), atomic_store(target, value)
 //   atomic_exchange_if(target, expected, value)            returns the old target
 //
 // A back end whose functors run on the host, as those that read the caller's range. It inherits the memory from

@@ -67,6 +67,12 @@ struct Shared_atomics {
   }
 
   template <class T>
+  static void atomic_store(T& target, T value)
+  {
+    __atomic_store_n(&target, value, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
   static T atomic_exchange_if(T& target, T expected, T value)
   {
     __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);

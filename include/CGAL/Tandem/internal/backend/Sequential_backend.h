@@ -55,6 +55,13 @@ struct Plain_atomics {
     return target;
   }
 
+  // target = value, while others may load it or store the same.
+  template <class T>
+  static void atomic_store(T& target, T value)
+  {
+    target = value;
+  }
+
   // If target == expected, target = value; returns the old target.
   template <class T>
   static T atomic_exchange_if(T& target, T expected, T value)

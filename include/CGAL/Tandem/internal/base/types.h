@@ -236,6 +236,16 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
   return {u < 0 ? u + folded : u - folded, v < 0 ? v + folded : v - folded, w};
 }
 
+// Whether the codes are so close that the directions make less than a right angle, which needs no decoding. If both
+// components of a code change by s in all, no component of the direction changes by more, and its length is at least
+// 32767 / sqrt(3). A null vector makes none.
+CGAL_TANDEM_HD inline bool have_close_codes(std::uint32_t code, std::uint32_t other)
+{
+  const std::int32_t u = std::int16_t(code & 0xffffu) - std::int16_t(other & 0xffffu);
+  const std::int32_t v = std::int16_t(code >> 16) - std::int16_t(other >> 16);
+  return (u < 0 ? -u : u) + (v < 0 ? -v : v) < 15000;
+}
+
 // Of directions: at most 2^30.
 CGAL_TANDEM_HD inline std::int64_t int_product(const Int_vector& u, const Int_vector& v)
 {

@@ -83,8 +83,9 @@ struct Unite_in_cell {
     block.for_each_neighbor(
       cell.size(), adjacency.cloud.k, [&](std::uint32_t at) { return adjacency.cloud.row(cell.first + at); },
       [&](std::uint32_t at, std::uint32_t q) {
-        adjacency(cell.first + at, q, cell,
-                  [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
+        if(q - cell.first < cell.size() && !points.have_one_parent(at, q - cell.first)) // few: labels need not be read
+          adjacency(cell.first + at, q, cell,
+                    [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
       });
     block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
   }

@@ -20,6 +20,16 @@ public:
     : point_(p), normal_(decode_normal(p.normal)), squared_length_(int_product(normal_, normal_))
   {}
 
+  // Whether a neighbor is of the same wall side: not of the opposite one, or so close to the plane of the surfel that its
+  // normal may be wrong.
+  CGAL_TANDEM_HD bool is_same(const Grid_point& q, double distance_steps) const
+  {
+    if(have_close_codes(point_.normal, q.normal)) // nearly all
+      return true;
+    const std::int64_t product = dot(q);
+    return product >= 0 || !are_aligned(q, product) || is_near(q, distance_steps);
+  }
+
   // Of the normals: positive if they make less than a right angle.
   CGAL_TANDEM_HD std::int64_t dot(const Grid_point& q) const { return int_product(normal_, decode_normal(q.normal)); }
 
@@ -90,12 +100,9 @@ struct Drop_opposite_side {
     const double own_steps = distance_steps * level_factor(cloud.level_of(std::uint32_t(i)));
     std::uint32_t* const row = neighbor + i * std::size_t(cloud.k);
     int kept = 0, j = 0;
-    for(; j < cloud.k && row[j] != no_index; ++j) {
-      const Grid_point& q = cloud.point[row[j]];
-      const std::int64_t dot = side.dot(q);
-      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, own_steps))
+    for(; j < cloud.k && row[j] != no_index; ++j)
+      if(side.is_same(cloud.point[row[j]], own_steps))
         row[kept++] = row[j];
-    }
     for(; kept < j; ++kept)
       row[kept] = no_index;
   }

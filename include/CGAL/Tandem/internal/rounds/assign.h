@@ -40,14 +40,17 @@ static_assert(Block_row::surfels == 64, "a block has a bit for each surfel");
 
 CGAL_TANDEM_HD inline Block_surfels bit_of(std::uint32_t i) { return Block_surfels(1) << (i % Block_row::surfels); }
 
-// The surfels that have changed their label in a pass, by block: two tables, as each pass considers one half of the
-// surfels. The first pass follows the last one of the assignment before.
-struct Label_changes {
-  static_assert(tuning::moves::assignment_passes % 2 == 0, "the tables would be exchanged");
+// When the label of a surfel, or of one of a block, changed last.
+using Change_pass = std::uint8_t;
 
-  Block_surfels* of_pass[2]; // even and odd ones
+struct Change_passes {
+  static constexpr Change_pass before = 2; // since the last assignment, or in its last two passes; 0: longer ago
+  static constexpr std::uint32_t end = tuning::moves::assignment_passes;
+  static_assert(end + 2 < 256, "a pass is noted in a byte");
 
-  CGAL_TANDEM_HD Block_surfels operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
+  CGAL_TANDEM_HD static Change_pass in(std::uint32_t pass) { return Change_pass(pass + 3); }
+  // Seen from a pass: in the two passes before it, or in the same one. Seen from the end, too.
+  CGAL_TANDEM_HD static bool is_recent(Change_pass change, std::uint32_t pass) { return change > pass; }
 };
 
 // The passes of an assignment, as rounds. They may end when two have changed nothing. In each a surfel gets the label
@@ -58,36 +61,34 @@ struct Label_changes {
 //
 // The choice is that of before where no label around has changed in the last two passes, and either no shape around has
 // changed since the surfel was considered, or its neighbors were of no other shape. So a pass visits few blocks. One
-// that is not visited has the same labels in both tables.
+// that is not visited has the same labels in both tables. Whether a change of the same pass is seen does not matter: it
+// only repeats a choice.
 template <class Backend>
 struct Assignment_passes {
-  enum Step { begin, visit, steps };
+  enum Step { visit, steps };
 
   Cloud_view cloud;
   const Assigned_shape* shape;
   std::size_t blocks;
-  const Block_row* row;          // by block
-  const Block_entries* entries;  // by surfel
-  const Block_surfels* outside;  // changed before the first pass, by block
-  const std::uint32_t* is_moved; // by block: has surfels of shapes that have changed since the last assignment
-  Block_surfels* recent;         // changed lately, by block
-  Label_changes changes;
-  Block_surfels* border;      // by block: surfels that had a neighbor in another shape
-  std::uint32_t* has_changes; // by pass
-  std::uint32_t* label[2];    // by surfel: pass p reads table p % 2 and writes the other one
+  const Block_row* row;         // by block
+  const Block_entries* entries; // by surfel
+  const std::uint8_t* is_moved; // by block: has surfels of shapes that have changed since the last assignment
+  Change_pass* change;          // by surfel
+  Change_pass* block_change;    // by block
+  Block_surfels* border;        // by block: surfels that had a neighbor in another shape
+  std::uint8_t* has_changes;    // by pass
+  std::uint32_t* label[2];      // by surfel: pass p reads table p % 2 and writes the other one
   Score score;
   Tolerance tolerance;
 
-  static constexpr std::size_t few(int step) { return step == begin ? 1 << 14 : 64; }
+  static constexpr std::size_t few(int) { return 64; }
   CGAL_TANDEM_HD bool is_last(std::size_t pass) const
   {
     return pass >= 2 && has_changes[pass - 1] == 0 && has_changes[pass - 2] == 0;
   }
 
-  CGAL_TANDEM_HD void run(int step, std::size_t pass, std::size_t lane, std::size_t lanes) const
+  CGAL_TANDEM_HD void run(int, std::size_t pass, std::size_t lane, std::size_t lanes) const
   {
-    if(step == begin)
-      return for_items_of_lane(lane, lanes, blocks, [&](std::size_t b) { begin_pass(pass, b); });
     for_items_of_group(
       lane, lanes, blocks, [](std::size_t) { return true; },
       [&](std::size_t b) { visit_block(std::uint32_t(b), std::uint32_t(pass)); });
@@ -97,7 +98,7 @@ struct Assignment_passes {
   // when they were last considered, unless one may have changed since. So links are searched at the others only.
   CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
   {
-    const Block_entries changed = changed_entries(b, changes);
+    const Block_entries changed = changed_entries(b, Change_passes::end);
     for_each_surfel(b, [&](std::uint32_t i) {
       const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
       state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
@@ -108,28 +109,30 @@ private:
   // Whether surfels may not have been considered with the present planes.
   CGAL_TANDEM_HD static bool has_new_planes(std::size_t pass) { return pass < 2; }
 
-  CGAL_TANDEM_HD void begin_pass(std::size_t pass, std::size_t b) const
-  {
-    recent[b] = changes[b] | (has_new_planes(pass) ? outside[b] : 0);
-    changes.of_pass[pass % 2][b] = 0;
-  }
-
-  // The entries of the row of a block with a change.
-  template <class Changes>
-  CGAL_TANDEM_HD Block_entries changed_entries(std::uint32_t b, const Changes& changed) const
+  // The entries of the row of a block with is_one(block).
+  template <class Is_one>
+  CGAL_TANDEM_HD Block_entries entries_with(std::uint32_t b, Is_one is_one) const
   {
     const std::uint32_t size = row[b].size;
     unsigned result = size > Block_row::capacity ? Block_row::all : 0u;
     for(std::uint32_t i = 0; result != Block_row::all && i < size; ++i)
-      result |= unsigned(changed[row[b].block[i]] != 0) << i;
+      result |= unsigned(is_one(row[b].block[i])) << i;
     return Block_entries(result);
+  }
+
+  // Those with labels that have changed lately.
+  CGAL_TANDEM_HD Block_entries changed_entries(std::uint32_t b, std::uint32_t pass) const
+  {
+    return entries_with(
+      b, [&](std::uint32_t c) { return Change_passes::is_recent(Backend::atomic_load(block_change[c]), pass); });
   }
 
   CGAL_TANDEM_HD void visit_block(std::uint32_t b, std::uint32_t pass) const
   {
-    const Block_entries changed = changed_entries(b, recent);
+    const Block_entries changed = changed_entries(b, pass);
     const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
-    const Block_entries moved = has_border ? changed_entries(b, is_moved) : Block_entries(0);
+    const Block_entries moved =
+      has_border ? entries_with(b, [&](std::uint32_t c) { return is_moved[c] != 0; }) : Block_entries(0);
     if((changed | moved) == 0)
       return;
     for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, {changed, moved}); });
@@ -154,15 +157,17 @@ private:
     const std::uint32_t s = label[pass % 2][i];
     // The first pass has seen the shapes around free surfels.
     const bool is_chosen = s < first_mark
-                             ? is_considered(i, pass) && is_concerned(i, changed)
-                             : is_concerned(i, {changed.labels, pass == 0 ? changed.shapes : Block_entries(0)});
+                             ? is_considered(i, pass) && is_concerned(i, pass, changed)
+                             : is_concerned(i, pass, {changed.labels, pass == 0 ? changed.shapes : Block_entries(0)});
     const std::uint32_t t = is_chosen ? best_of(i, label[pass % 2]) : s;
     label[(pass + 1) % 2][i] = t;
     if(t == s)
       return;
-    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::surfels], bit_of(i));
+    const Change_pass now = Change_passes::in(pass);
+    Backend::atomic_store(change[i], now);
+    Backend::atomic_store(block_change[i / Block_row::surfels], now);
     if(Backend::atomic_load(has_changes[pass]) == 0)
-      Backend::atomic_exchange_if(has_changes[pass], 0u, 1u);
+      Backend::atomic_store(has_changes[pass], std::uint8_t(1));
   }
 
   // One half of the surfels in even passes, the other one in odd passes.
@@ -182,24 +187,24 @@ private:
       Backend::atomic_add(border[i / Block_row::surfels], value ? bit_of(i) : Block_surfels(0) - bit_of(i));
   }
 
-  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::surfels] & bit_of(i)) != 0; }
-
   // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by
   // planes.
-  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, const Changed_blocks& changed) const
+  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, const Changed_blocks& changed) const
   {
     if((changed.shapes & entries[i]) != 0 && is_at_border(i))
       return true;
     if((changed.labels & entries[i]) == 0)
       return false;
-    if(has_changed(i))
+    Change_pass last = Backend::atomic_load(change[i]);
+    if(Change_passes::is_recent(last, pass))
       return true;
     const std::uint32_t* neighbor = cloud.row(i);
-    bool result = false;
     int j = 0;
-    for(; j < cloud.k && neighbor[j] < cloud.size; ++j)
-      result |= has_changed(neighbor[j]); // no branch, which could not be predicted
-    return result || (j < cloud.k && neighbor[j] != no_index);
+    for(; j < cloud.k && neighbor[j] < cloud.size; ++j) {
+      const Change_pass c = Backend::atomic_load(change[neighbor[j]]);
+      last = c > last ? c : last; // no branch, which could not be predicted
+    }
+    return Change_passes::is_recent(last, pass) || (j < cloud.k && neighbor[j] != no_index);
   }
 
   // Of the own label and those of neighbors. Ties go to the smaller one.
@@ -305,21 +310,26 @@ struct Start_assignment {
   const Assigned_shape* shape;
   const std::uint8_t* is_moved; // by shape
   std::uint32_t *chosen, *next; // by surfel
-  Block_surfels* changed;       // these two by block
-  std::uint32_t* has_moved;
+  Change_pass *change, *block_change;
+  std::uint8_t* has_moved; // by block
   Tolerance tolerance;
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
     std::uint32_t s = label[i];
-    const std::size_t b = i / Block_row::surfels;
-    if(s < first_mark && is_moved[s] && i < cloud.size && Backend::atomic_load(has_moved[b]) == 0)
-      Backend::atomic_exchange_if(has_moved[b], 0u, 1u);
-    if(s < first_mark && (is_moved[s] || chosen[i] != s) && !cloud.fits(shape[s].plane, i, tolerance))
+    const bool is_moved_shape = s < first_mark && is_moved[s];
+    if(s < first_mark && (is_moved_shape || chosen[i] != s) && !cloud.fits(shape[s].plane, i, tolerance))
       s = free_label;
-    if(i < cloud.size && chosen[i] != s)
-      Backend::atomic_add(changed[b], bit_of(i));
+    if(i < cloud.size) {
+      const std::size_t b = i / Block_row::surfels;
+      if(is_moved_shape)
+        Backend::atomic_store(has_moved[b], std::uint8_t(1));
+      const bool is_recent = chosen[i] != s || Change_passes::is_recent(change[i], Change_passes::end);
+      change[i] = is_recent ? Change_passes::before : Change_pass(0);
+      if(is_recent)
+        Backend::atomic_store(block_change[b], Change_pass(Change_passes::before));
+    }
     chosen[i] = next[i] = s;
   }
 };
@@ -382,8 +392,8 @@ public:
   explicit Assignment(Labeled_cloud<Backend>& points)
     : points_(points), backend_(points.backend), block_(points.backend, points.cloud),
       chosen_(filled_buffer(backend_, points.cloud.size_with_ghosts(), no_index)),
-      border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0))),
-      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_surfels(0)))
+      change_(filled_buffer(backend_, points.cloud.number_of_surfels(), Change_passes::in(Change_passes::end))),
+      border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0)))
   {}
 
   // Planes are those of the table that is rounded for the tests of surfels. What a shape gains by one point more
@@ -400,22 +410,21 @@ public:
     const Cloud_view cloud = points_.cloud.view();
     const std::size_t blocks = block_.row.size();
     Buffer<std::uint32_t> next(chosen_.size());
-    auto outside = filled_buffer(backend_, blocks, Block_surfels(0));
-    auto has_moved = filled_buffer(backend_, blocks, std::uint32_t(0));
-    auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
-    Buffer<Block_surfels> recent(blocks);
-    backend_.for_each(chosen_.size(), Start_assignment<Backend>{
-                                        cloud, points_.label(), assigned_.data(), is_moved.data(), chosen_.data(),
-                                        next.data(), outside.data(), has_moved.data(), options.growth.tolerance});
+    auto block_change = filled_buffer(backend_, blocks, Change_pass(0));
+    auto has_moved = filled_buffer(backend_, blocks, std::uint8_t(0));
+    auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint8_t(0));
+    backend_.for_each(chosen_.size(),
+                      Start_assignment<Backend>{cloud, points_.label(), assigned_.data(), is_moved.data(),
+                                                chosen_.data(), next.data(), change_.data(), block_change.data(),
+                                                has_moved.data(), options.growth.tolerance});
     const Assignment_passes<Backend> passes = {cloud,
                                                assigned_.data(),
                                                blocks,
                                                block_.row.data(),
                                                block_.of_surfel.data(),
-                                               outside.data(),
                                                has_moved.data(),
-                                               recent.data(),
-                                               {changes_.data(), changes_.data() + blocks},
+                                               change_.data(),
+                                               block_change.data(),
                                                border_.data(),
                                                has_changes.data(),
                                                {chosen_.data(), next.data()},
@@ -447,8 +456,8 @@ private:
   Block_rows<Backend> block_;
   Buffer<Assigned_shape> assigned_;
   Buffer<std::uint32_t> chosen_; // by surfel
-  Buffer<Block_surfels> border_; // these two as in Assignment_passes
-  Buffer<Block_surfels> changes_;
+  Buffer<Change_pass> change_;   // these two as in Assignment_passes
+  Buffer<Block_surfels> border_;
 };
 
 } // namespace CGAL::Tandem::internal

@@ -358,6 +358,12 @@ public:
   }
 
   template <class T>
+  __device__ static void atomic_store(T& target, T value)
+  {
+    *static_cast<volatile T*>(&target) = value;
+  }
+
+  template <class T>
   __device__ static T atomic_exchange_if(T& target, T expected, T value)
   {
     return T(atomicCAS(atomic_address(target), expected, value));
