@@ -77,8 +77,31 @@ def test_unknown_place(p):
     """Without a place, and of one that is too far away to be that of a sensor, the veils are shapes."""
     for place in ("", "--viewpoint 0,0,1000 --oriented"):
         p(0, NOTHING, f"one.xyz {OPTIONS} {OUTPUTS} {place}")
-        assert "behind" not in p.csv("s.csv").dtype.names and "veils" not in p.json("r.json")
+        assert "behind" not in p.csv("s.csv").dtype.names and p.json("r.json")["veils"] == {"shapes": 0, "points": 0}
         assert np.count_nonzero(p.labels("l.bin")[SCANS[0][1] == 3] >= 0) > 40
+
+
+@table("height", [400, 2000])
+def test_walls_from_above(p, height):
+    """A place above a tile is no sensor that saw the walls: they have more points than it has rays there."""
+    random = np.random.default_rng(height)
+    walls = [np.c_[20 + 45 * k + random.uniform(0, 15, 150), 50 + random.normal(0, 0.03, 150), random.uniform(0, 9, 150)]
+             for k in range(4)]
+    ground = np.c_[random.uniform(0, 200, (9000, 2)), random.normal(0, 0.03, 9000)]
+    p.write({"tile.xyz": text_of(np.concatenate([ground, *walls]))})
+    p(0, NOTHING, f"tile.xyz --maximum-distance 0.15 --minimum-region-size 60 --quiet --viewpoint 100,50,{height} --report r.json")
+    assert p.json("r.json")["veils"]["shapes"] == 0 and p.json("r.json")["counts"]["shapes"] >= 5
+
+
+def test_sensor_in_plane(p):
+    """Nothing is behind a window in whose plane the sensor is."""
+    p(0, NOTHING, f"one.xyz {OPTIONS} --viewpoint 2,0.03,0 --shapes s.csv")
+    assert (p.csv("s.csv")["behind"] < 0).all()
+
+
+def test_only_veils(p):
+    p.write({"veil.xyz": text_of(SCANS[0][0][SCANS[0][1] == 3])})
+    p.warns(f"veil.xyz {OPTIONS.replace(' --quiet', '')} --viewpoint 0,0,0", "no shape is left: all shapes, of 1[0-9]* points")
 
 
 def test_noise_of_each_station(p):

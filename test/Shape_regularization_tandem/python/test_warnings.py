@@ -24,7 +24,7 @@ CASES = [
     (PLACE, {}, "^no shape was found: no .* connected points .minimum_region_size., .* .maximum_distance. .*maximum_angle"),
     (POINTS, {"maximum_distance_map": np.zeros(len(POINTS))}, "a positive tolerance .maximum_distance_map.$"),
     (np.random.default_rng(2).random((4000, 3)), {"maximum_distance": 0.001}, "^(no shape|only .* % of the points)"),
-    (POINTS, {"normals": TURNED}, "^given normals keep 9[0-9.]* % of the points out of shapes .*: normals=None adds about as"),
+    (POINTS, {"normals": TURNED}, "^given normals keep 9[0-9.]* % of the points out of shapes .*: normals=None mostly adds about"),
     (POINTS, {"maximum_distance": 0.5}, "^the maximum distance 0.5 is more than a tenth .*: a smaller maximum_distance"),
     (POINTS, {"maximum_distance": 0.0001}, "^the maximum distance 0.0001 is less than a tenth of the noise .*maximum_distance"),
     (POINTS, {"maximum_angle": 0.9}, "^the maximum angle is 0.9 degrees: if that was meant as a cosine")]
