@@ -95,8 +95,8 @@ def test_walls_from_above(p, height):
 
 def test_sensor_in_plane(p):
     """Nothing is behind a window in whose plane the sensor is."""
-    p(0, NOTHING, f"one.xyz {OPTIONS} --viewpoint 2,0.03,0 --shapes s.csv")
-    assert not (p.csv("s.csv")["behind"] >= 0).any()
+    p(0, NOTHING, f"one.xyz {OPTIONS} --viewpoint 2,0.03,0 --polygons p.geojson")
+    assert {feature["properties"]["behind"] for feature in p.json("p.geojson")["features"]} == {None}
 
 
 def test_only_veils(p):
