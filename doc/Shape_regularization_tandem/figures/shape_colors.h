@@ -10,6 +10,8 @@
 #include "clouds/ply_cloud.h"
 #include "testing/evaluate.h"
 
+#include <map>
+
 namespace CGAL {
 namespace Tandem {
 namespace benchmark {
@@ -45,6 +47,30 @@ inline std::vector<Color> colors_of(const Detection& detection)
   for(std::size_t i = 0; i < order.size(); ++i)
     colors[order[i]] = color_of_index(i);
   return colors;
+}
+
+// Of each shape of `other`: the shape of `reference` it corresponds to, or -1. Each is taken once, by the number
+// of common points; ties go to the smaller indices.
+inline std::vector<std::int32_t> match_shapes(const Detection& reference, const Detection& other)
+{
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> common;
+  for(std::size_t i = 0; i < reference.label.size(); ++i)
+    if(reference.label[i] >= 0 && other.label[i] >= 0)
+      ++common[{other.label[i], reference.label[i]}];
+  std::vector<std::pair<std::size_t, std::pair<std::int32_t, std::int32_t>>> by_size;
+  for(const auto& entry : common)
+    by_size.emplace_back(entry.second, entry.first);
+  std::stable_sort(by_size.begin(), by_size.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::int32_t> match(other.planes.size(), -1);
+  std::vector<bool> is_taken(reference.planes.size(), false);
+  for(const auto& entry : by_size) {
+    std::size_t s = std::size_t(entry.second.first), r = std::size_t(entry.second.second);
+    if(match[s] < 0 && !is_taken[r]) {
+      match[s] = entry.second.second;
+      is_taken[r] = true;
+    }
+  }
+  return match;
 }
 
 // A shape without a counterpart in the reference takes a color that the reference does not use.
