@@ -7,7 +7,7 @@
 #   draw.py results         the building of CGAL's data, after rounds and with other parameters: one picture each, *.md
 #   draw.py knobs           measures what simplicity and regularity change, in about ten minutes: knobs.csv; and draws
 #   draw.py curves          of knobs.csv: *_curves.png
-#   draw.py outlines        three facades
+#   draw.py outlines        three facades, and the number of corners that outlines share
 #   draw.py surfaces        the closed surfaces of a generated house and of the building
 #   draw.py sensors         what the commands of the page of sensors find in its generated scenes
 #   draw.py tasks           runs the first commands of each of the three task pages, and keeps what they print: *.out
@@ -21,6 +21,7 @@
 #   TANDEM_PROGRAMS   a build folder that has the programs already
 #   TANDEM_DATA       folder of kinect_room.ply, for knobs
 
+import collections
 import csv
 import json
 import os
@@ -135,10 +136,29 @@ def curves(_):
 
 
 def outlines(work):
-    """Shapes of the result, which is the same everywhere."""
-    run(program("outline_figures"), building(), *PARAMETERS, work)
-    plots = [f"plot '{work}/{shape}.points' with dots lc rgb '#999999', '{work}/{shape}.outline' with lines lw 2 "
-             "lc rgb '#0044aa'" for shape in (2, 3, 5)]
+    """Shapes of the result, which is the same everywhere; and how many corners the outlines share."""
+    import numpy as np
+    options = zip(("--maximum-distance", "--maximum-angle", "--minimum-region-size"), PARAMETERS)
+    run(program("detect_planes"), building(), *sum(options, ()), "--quiet", "--output", work / "cloud.xyz", "--polygons",
+        work / "outlines.json")
+    cloud = np.loadtxt(work / "cloud.xyz")
+    shapes_at, plots = collections.defaultdict(set), []
+    for shape, feature in enumerate(json.loads((work / "outlines.json").read_text())["features"]):
+        rings = [np.array(ring) for polygon in feature["geometry"]["coordinates"] for ring in polygon]
+        for corner in (tuple(corner) for ring in rings for corner in ring):
+            shapes_at[corner].add(shape)
+        if shape not in (2, 3, 5):
+            continue
+        normal = np.array(feature["properties"]["plane"][:3])
+        across = np.cross((0, 0, 1), normal) / np.linalg.norm(normal[:2])
+        flat = np.transpose([across, np.cross(normal, across)])
+        np.savetxt(work / f"{shape}.points", cloud[cloud[:, -1] == shape, :3] @ flat)
+        with open(work / f"{shape}.outline", "w") as file:
+            for ring in rings:
+                np.savetxt(file, ring @ flat, footer="\n", comments="")
+        plots.append(f"plot '{work}/{shape}.points' with dots lc rgb '#999999', '{work}/{shape}.outline' with lines lw 2 "
+                     "lc rgb '#0044aa'")
+    print(sum(len(shapes) > 1 for shapes in shapes_at.values()), "corners are shared")
     run("gnuplot", "-e", f"set terminal pngcairo size 1080,360 font ',10'; set output '{picture('outlines')}'; "
         "set multiplot layout 1,3 margins .01,.99,.02,.98 spacing .02; unset key; unset tics; unset border; "
         "set size ratio -1; " + "; ".join(plots))
