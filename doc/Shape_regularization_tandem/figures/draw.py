@@ -38,6 +38,7 @@ BUILD = pathlib.Path(os.environ.get("TANDEM_BUILD_DIR", ROOT / "build/figures"))
 PARAMETERS = ["0.15", "25.842", "100"]  # of the building
 COLUMNS = ["cloud", "parameter", "value", "shapes", "coverage_percent", "mean_distance_in_epsilons", "degrees_of_freedom",
            "f_of_faces", "kept_of_layers", "angle_error_deg", "false_parallels"]
+WALLS = ("bends", "bows", "offsets", "half offsets", "low steps", "steps", "boards", "strips")  # groups of clouds
 KNOBS = {"simplicity": "0 0.04 0.06 0.08 0.1 0.15 0.2 0.3 0.5 1", "regularity": "0 0.01 0.03 0.1 0.2 0.3 1 3 10"}
 
 
@@ -107,14 +108,15 @@ def measure_cloud(work, cloud, name, knob, value):
 
 def measure_labels(work, knob, value):
     """A row of means over all labeled clouds, with given and with own normals."""
-    run(program("labeled_frames"), "--csv", work / "labels.csv", f"--{knob}", value, stdout=subprocess.DEVNULL)
-    rows = [row for row in csv.DictReader(open(work / "labels.csv")) if row["cloud"] != "mean"]
+    run(program("tandem_benchmark"), "labels", f"--{knob}", value, "--output", work, stdout=subprocess.DEVNULL)
+    rows = list(csv.DictReader(open(work / "labels.csv")))
 
     def mean(column, form, groups=None):
-        values = [float(row[column]) for row in rows if row[column] and (not groups or row["group"] in groups)]
+        values = [float(row[column]) for row in rows
+                  if row[column] and (row["group"] in groups if groups else row["group"] not in WALLS)]
         return format(sum(values) / len(values), form)
     return ["labels", knob, value] + 4 * [""] + [mean("segmentation_f", ".4f"),
-                                                 mean("mean_kept", ".4f", ("steps", "boards", "strips")),
+                                                 mean("mean_kept", ".4f", WALLS[-3:]),
                                                  mean("angle_error_deg", ".4f"), mean("parallel_false_relaxed", ".1f")]
 
 
