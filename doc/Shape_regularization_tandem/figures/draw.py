@@ -35,7 +35,9 @@ import tempfile
 FIGURES = pathlib.Path(__file__).resolve().parent
 MANUAL, ROOT = FIGURES.parent, FIGURES.parents[2]
 BUILD = pathlib.Path(os.environ.get("TANDEM_BUILD_DIR", ROOT / "build/figures"))
-PARAMETERS = ["0.15", "25.842", "100"]  # of the building
+PARAMETERS = {"maximum-distance": .15, "maximum-angle": 25.842, "minimum-region-size": 100}  # of the building
+CHOICES = {"maximum-distance": (.015, 1.5), "maximum-angle": (5, 75), "minimum-region-size": (10, 2000),
+           "angle-tolerance": (.5, 40), "simplicity": (0, .3), "regularity": (0, 1)}  # too small and too large
 COLUMNS = ["cloud", "parameter", "value", "shapes", "coverage_percent", "mean_distance_in_epsilons", "degrees_of_freedom",
            "f_of_faces", "kept_of_layers", "angle_error_deg", "false_parallels"]
 WALLS = ("bends", "bows", "offsets", "half offsets", "low steps", "steps", "boards", "strips")  # groups of clouds
@@ -87,11 +89,67 @@ def render(cloud, name, options):
     run("gnuplot", "-c", FIGURES / "picture.gnuplot", cloud, picture(name), layout, options)
 
 
+def detect_building(*outputs, **changed):
+    options = [word for name, value in {**PARAMETERS, **changed}.items() for word in ("--" + name, value)]
+    run(program("detect_planes"), building(), *options, "--quiet", *outputs)
+
+
+def write_table(name, what, rows):
+    head = f"| {what} | shapes | directions | planes | complexity | coverage |\n|:--|--:|--:|--:|--:|--:|\n"
+    (MANUAL / f"tables/{name}.md").write_text(head + "".join(rows))
+
+
 def results(work):
-    build(FIGURES, BUILD / "results", "draw_figures")
-    run(BUILD / "results/draw_figures", building(), *PARAMETERS, work, MANUAL / "tables")
-    for cloud in work.glob("*.ply"):
-        render(cloud, cloud.stem, "alone = 1; width = 330; height = 260")
+    import numpy as np
+    import shape_colors
+
+    def read(name):
+        return np.fromfile(work / f"{name}.labels", "<i4"), np.loadtxt(work / f"{name}.planes", ndmin=2)[:, :3]
+
+    def draw(name, shapes, ranks):
+        shape_colors.write_colored(work / "colored.ply", points, *shapes, ranks)
+        render(work / "colored.ply", name, "alone = 1; width = 330; height = 260")
+
+    def draw_shapes(name, shapes, final):
+        draw(name, shapes, shape_colors.ranks_like(final[0], shapes[0]))
+
+    def draw_directions(name, shapes):
+        rows = csv.DictReader(open(work / "shapes.csv"))
+        draw(name, shapes, shape_colors.ranks_of_directions(shapes[0], np.array([int(r["parallel_group"]) for r in rows])))
+
+    def detect(**changed):
+        """What it finds, and its row of the table but for the name."""
+        detect_building("--labels", work / "it.labels", "--planes", work / "it.planes", "--shapes", work / "shapes.csv",
+                        "--report", work / "it.json", **changed)
+        report = json.loads((work / "it.json").read_text())
+        counts, criteria = report["counts"], report["criteria"]
+        return read("it"), (f" | {counts['shapes']} | {counts['directions']} | {counts['planes']} | "
+                            f"{criteria['complexity']:.2f} | {100 * criteria['coverage']:.1f} % |\n"), report["parameters"]
+
+    # Shapes below the minimum size are not shown, so it is small here: young ones are of interest.
+    build(FIGURES, BUILD / "results", "rounds")
+    detect_building("--output", work / "cloud.xyz")
+    points = np.loadtxt(work / "cloud.xyz")[:, :3]
+    distance, angle, _ = PARAMETERS.values()
+    write_table("rounds", "after", output_of(BUILD / "results/rounds", building(), distance, angle, 20, work))
+    for name in ("round_1", "round_2", "round_3", "round_last"):
+        draw_shapes(name, read(name), read("round_last"))
+
+    right, right_row, parameters = detect()
+    draw_shapes("right", right, right)
+    draw_directions("right_directions", right)
+    for option, values in CHOICES.items():
+        name = option.replace("-", "_")
+        rows = []
+        for value, size in zip(values, ("small", "large")):
+            shapes, row, _ = detect(**{option: value})
+            rows.append(f"| {value:g}" + row)
+            if option in ("angle-tolerance", "regularity"):
+                draw_directions(f"{name}_{size}", shapes)
+            else:
+                draw_shapes(f"{name}_{size}", shapes, right)
+        rows.insert(1, f"| {parameters[name]:g}" + right_row)
+        write_table(name, f"`{name}`", rows)
 
 
 def measure_cloud(work, cloud, name, knob, value):
@@ -140,9 +198,7 @@ def curves(_):
 def outlines(work):
     """Shapes of the result, which is the same everywhere; and how many corners the outlines share."""
     import numpy as np
-    options = zip(("--maximum-distance", "--maximum-angle", "--minimum-region-size"), PARAMETERS)
-    run(program("detect_planes"), building(), *sum(options, ()), "--quiet", "--output", work / "cloud.xyz", "--polygons",
-        work / "outlines.json")
+    detect_building("--output", work / "cloud.xyz", "--polygons", work / "outlines.json")
     cloud = np.loadtxt(work / "cloud.xyz")
     shapes_at, plots = collections.defaultdict(set), []
     for shape, feature in enumerate(json.loads((work / "outlines.json").read_text())["features"]):
