@@ -8,7 +8,6 @@
 
 #include "scenes/scenes.h"
 
-#include <array>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -17,17 +16,14 @@
 namespace CGAL::Tandem::benchmark {
 
 using scenes::Vec;
-using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
 struct Ply_cloud {
   std::vector<Vec> points;
   std::vector<Vec> normals;        // empty if there are none
   std::vector<std::int32_t> label; // empty if there is none
   bool is_double = false;          // whether the coordinates are more than floats, and shall be stored so
-  std::vector<Color> color = {};   // empty if there is none; written, not read
 
   bool has_normals() const { return !normals.empty(); }
-  bool has_color() const { return !color.empty(); }
   bool has_label() const { return !label.empty(); }
 };
 
@@ -45,8 +41,6 @@ inline Ply_cloud subset(const Ply_cloud& cloud, std::size_t count)
     result.points.push_back(cloud.points[i]);
     if(cloud.has_normals())
       result.normals.push_back(cloud.normals[i]);
-    if(cloud.has_color())
-      result.color.push_back(cloud.color[i]);
     if(cloud.has_label())
       result.label.push_back(cloud.label[i]);
   }
@@ -85,8 +79,6 @@ inline std::string ply_header(const Ply_cloud& cloud)
     header << "property " << type << " " << name << "\n";
   if(cloud.has_normals())
     header << "property float nx\nproperty float ny\nproperty float nz\n";
-  if(cloud.has_color())
-    header << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if(cloud.has_label())
     header << "property int label\n";
   header << "end_header\n";
@@ -108,8 +100,6 @@ inline void write_ply(const std::string& path, const Ply_cloud& cloud)
     append_all(cloud.points[i], cloud.is_double);
     if(cloud.has_normals())
       append_all(cloud.normals[i], false);
-    if(cloud.has_color())
-      bytes.append(cloud.color[i].begin(), cloud.color[i].end());
     if(cloud.has_label())
       append(bytes, cloud.label[i]);
   }

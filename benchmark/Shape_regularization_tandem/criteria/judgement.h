@@ -27,8 +27,8 @@ inline void append_judgement(Row& row, const Named_cloud& c, const Task& task, c
   const bool is_known = !c.truth.faces.empty();
   append_truth(row, is_known,
                is_known ? evaluate_truth(c.truth, run.detection, extent_of(points), minimum) : Truth_criteria());
-  append_segmentation(row, is_known,
-                      is_known ? evaluate_segmentation(c.truth, run.detection, minimum) : Segmentation());
+  append_segmentation(row, is_known, is_known ? evaluate_segmentation(c.truth, run.detection, minimum) : Segmentation(),
+                      is_known ? evaluate_kept(c.truth, run.detection) : Kept_faces());
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -80,7 +80,7 @@ inline Kept_faces evaluate_kept(const Truth& truth, const Detection& detection)
 }
 
 // Empty where the truth is not known, so that all rows have the same columns.
-inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
+inline void append_segmentation(Row& row, bool is_known, const Segmentation& s, const Kept_faces& kept)
 {
   append_cell_if(row, is_known, "segmentation_precision", s.precision);
   append_cell_if(row, is_known, "segmentation_recall", s.recall);
@@ -88,6 +88,9 @@ inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
   append_cell_if(row, is_known, "mean_iou", s.mean_iou);
   append_cell_if(row, is_known, "over_segmented", s.over_segmented);
   append_cell_if(row, is_known, "under_segmented", s.under_segmented);
+  append_cell_if(row, is_known, "all_faces_kept", int(kept.is_right()));
+  append_cell_if(row, is_known, "worst_face_kept", kept.worst);
+  append_cell_if(row, is_known, "mean_kept", kept.all);
 }
 
 } // namespace CGAL::Tandem::benchmark

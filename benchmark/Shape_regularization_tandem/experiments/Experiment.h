@@ -19,7 +19,8 @@ struct Experiment_options {
   unsigned repeats = 3;                 // runs that are timed
   unsigned threads = 0;                 // of parallel contestants; 0: all
   std::vector<std::string> contestants; // names; empty: as the experiment thinks fit
-  std::vector<std::string> arguments;   // what is left of the command line
+  double simplicity = Task().simplicity, regularity = Task().regularity; // of `labels`
+  std::vector<std::string> arguments;                                    // what is left of the command line
 };
 
 // A subcommand of tandem_benchmark.

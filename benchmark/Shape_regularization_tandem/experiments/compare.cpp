@@ -99,12 +99,6 @@ private:
     if(!run.finished)
       return row;
     append_judgement(row, named_, named_.task, run);
-    std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
-    for(const Run& r : entry.runs)
-      if(r.finished)
-        detections.push_back(r.detection);
-    if(!is_cleaned)
-      append_cell(row, "points_relabeled", evaluate_spread(detections));
     return row;
   }
 

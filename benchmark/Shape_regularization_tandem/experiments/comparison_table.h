@@ -39,17 +39,15 @@ inline const Criterion shown_criteria[] = {{"seconds", "seconds", 1, 2, Better::
                                            {">eps", "beyond_epsilon", 1, 0, Better::lower},
                                            {">alpha", "beyond_alpha", 1, 0, Better::lower},
                                            {"F1", "face_f1_50", 1, 3, Better::higher},
-                                           {"prec.", "point_precision", 1, 3, Better::higher},
-                                           {"again%", "points_relabeled", 100, 1, Better::lower}};
+                                           {"prec.", "point_precision", 1, 3, Better::higher}};
 
-// The runs of one method on one cloud: their median, column by column, and whether any differ.
+// The runs of one method on one cloud: their median, column by column.
 class Summary {
 public:
   explicit Summary(const Row& row) { add(row); }
 
   void add(const Row& row) { rows_.push_back(row); }
   const Row& first() const { return rows_.front(); }
-  std::size_t runs() const { return rows_.size(); }
   bool is_finished() const { return cell(first(), "finished") == "true"; }
   bool is_cleaned() const { return cell(first(), "cleaned") == "true"; }
   bool is_tandem() const { return cell(first(), "method").substr(0, 6) == "tandem"; }
@@ -112,13 +110,12 @@ inline bool is_better(const Criterion& c, const Summary& peer, const Summary& re
   return c.better == Better::lower ? a < b : a > b;
 }
 
-// A cleaned result was not run by itself, so its time and memory say nothing; one run cannot differ from others.
+// A cleaned result was not run by itself, so its time and memory say nothing.
 inline bool concerns(const Criterion& c, const Summary& summary)
 {
   const std::string column = c.column;
   const bool is_of_run = column == "seconds" || column == "user_seconds" || column == "bytes_per_point";
-  return summary.is_finished() && !summary.text(c).empty() && !(is_of_run && summary.is_cleaned()) &&
-         (summary.runs() > 1 || column != "points_relabeled");
+  return summary.is_finished() && !summary.text(c).empty() && !(is_of_run && summary.is_cleaned());
 }
 
 // A value, with a star where a peer is better than the reference; "-" where it is not known.
@@ -162,8 +159,7 @@ inline void print_legend()
 * better than Tandem. Seconds: wall clock without reading, median of the runs. B/point: peak memory beyond the input. cpx: complexity,
 smaller is more regular, with relations within 1e-6. top10%: points in the ten largest shapes that are within the tolerances. mean/e, max/e: distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes
 that violate the tolerances. Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at
-an intersection over union of one half; prec.: of points. again%: points in another shape when the method runs once more (RANSAC:
-with another seed). results.csv has more columns.
+an intersection over union of one half; prec.: of points. results.csv has more columns.
 )");
 }
 

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The experiments of the paper of which the manual has tables.
+// The experiments of which the manual has tables: those of the paper, and generated clouds with true labels.
 
 #include "Experiment.h"
 #include "clouds/named_clouds.h"
 #include "criteria/judgement.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <map>
 
 namespace CGAL::Tandem::benchmark {
 
@@ -65,6 +67,28 @@ public:
   // The rows so far, to NAME.csv: called now and then, so that an interrupted experiment leaves what it has.
   void write() const { write_csv(options_.output + "/" + name_ + ".csv", rows_); }
 
+  // Of the clouds of each group, for each method with given and with own normals.
+  void print_means(const std::vector<std::string>& columns) const
+  {
+    std::map<std::string, std::vector<const Row*>> groups;
+    for(const Row& row : rows_)
+      if(cell(row, "finished") == "true")
+        groups[cell(row, "method") + ", " + cell(row, "normals") + " normals: " + cell(row, "group")].push_back(&row);
+    std::printf("\nmeans of groups: ");
+    for(const std::string& column : columns)
+      std::printf(" %s", column.c_str());
+    for(const auto& [name, rows] : groups) {
+      std::printf("\n%-60s", name.c_str());
+      for(const std::string& column : columns) {
+        double sum = 0;
+        for(const Row* row : rows)
+          sum += std::strtod(cell(*row, column).c_str(), nullptr);
+        std::printf(" %7.3f", sum / double(rows.size()));
+      }
+    }
+    std::printf("\n");
+  }
+
 private:
   const Experiment_options& options_;
   std::string name_;
@@ -118,6 +142,36 @@ void run_synergy(const Experiment_options& options)
     }
 }
 
+// --- True labels
+
+// Generated clouds, with given and with own normals, whose group or name has one of the arguments, if there are any.
+// criteria/segmentation.h has the columns. Of walls, the last three count.
+void run_labels(const Experiment_options& options)
+{
+  Trials trials(options, "labels");
+  const std::vector<std::string> usual = {"tandem-sequential"}, &parts = options.arguments;
+  for(const auto& scenes :
+      {scenes::labeled_frames(), scenes::labeled_scenes(), scenes::labeled_scan_lines(), scenes::labeled_walls()})
+    for(const scenes::Labeled_scene& scene : scenes) {
+      const std::string name = scene.group + " " + scene.name;
+      const auto is_in_name = [&](const std::string& part) { return name.find(part) != std::string::npos; };
+      if(!parts.empty() && std::none_of(parts.begin(), parts.end(), is_in_name))
+        continue;
+      Named_cloud c = make_cloud(scene);
+      c.task.simplicity = options.simplicity;
+      c.task.regularity = options.regularity;
+      for(const bool own : {false, true})
+        for(const std::string& method : options.contestants.empty() ? usual : options.contestants) {
+          c.task.estimates_normals = own;
+          trials.add(c, c.task, {method, {{"group", scene.group}}});
+        }
+    }
+  trials.write();
+  trials.print_means({"segmentation_f", "mean_iou", "segmentation_precision", "segmentation_recall", "over_segmented",
+                      "under_segmented", "shapes", "face_f1_50", "point_precision", "top_10_shapes", "top_10_faces",
+                      "all_faces_kept", "worst_face_kept", "mean_kept"});
+}
+
 } // namespace
 
 std::vector<Experiment> experiments()
@@ -127,7 +181,8 @@ std::vector<Experiment> experiments()
      "all contestants on clouds of clouds.csv (default: all), or on FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER]",
      run_compare},
     {"robustness", "more and more noise (the paper's figure 7)", run_robustness},
-    {"synergy", "regularization after each round, at the end, and never (figure 12)", run_synergy}};
+    {"synergy", "regularization after each round, at the end, and never (figure 12)", run_synergy},
+    {"labels", "generated clouds with true labels: all, or those whose group or name has an ARGUMENT", run_labels}};
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -45,6 +45,8 @@ po::options_description make_stage_parameters(Command_line& line)
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
     "repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
     "threads", po::value(&o.threads)->default_value(0), "of parallel contestants; 0: all processors")(
+    "simplicity", po::value(&o.simplicity), "of Tandem, for `labels`")("regularity", po::value(&o.regularity),
+                                                                       "likewise")(
     "contestants", po::value(&line.contestants), "names, separated by commas; default: as the subcommand has them");
   return visible;
 }

@@ -44,12 +44,7 @@ Clock::time_point Clock::now() noexcept
 
 static Ply_cloud make_house()
 {
-  scenes::Options options;
-  options.points = 100000;
-  options.noise = 0.002;
-  options.outliers = 0.2;
-  options.normals = scenes::Normals::none;
-  const scenes::Scene scene = scenes::make_scene("house", options);
+  const scenes::Scene scene = scenes::make_scene("house", {100000, .002, .2, false, scenes::Normals::none});
   return {scene.points, scene.normals, scene.label};
 }
 

@@ -7,7 +7,7 @@
 #   draw.py results         the building of CGAL's data, after rounds and with other parameters: one picture each, *.md
 #   draw.py knobs           measures what simplicity and regularity change, in about ten minutes: knobs.csv; and draws
 #   draw.py curves          of knobs.csv: *_curves.png
-#   draw.py outlines        three facades
+#   draw.py outlines        three facades, and the number of corners that outlines share
 #   draw.py surfaces        the closed surfaces of a generated house and of the building
 #   draw.py sensors         what the commands of the page of sensors find in its generated scenes
 #   draw.py tasks           runs the first commands of each of the three task pages, and keeps what they print: *.out
@@ -21,6 +21,7 @@
 #   TANDEM_PROGRAMS   a build folder that has the programs already
 #   TANDEM_DATA       folder of kinect_room.ply, for knobs
 
+import collections
 import csv
 import json
 import os
@@ -34,9 +35,12 @@ import tempfile
 FIGURES = pathlib.Path(__file__).resolve().parent
 MANUAL, ROOT = FIGURES.parent, FIGURES.parents[2]
 BUILD = pathlib.Path(os.environ.get("TANDEM_BUILD_DIR", ROOT / "build/figures"))
-PARAMETERS = ["0.15", "25.842", "100"]  # of the building
+PARAMETERS = {"maximum-distance": .15, "maximum-angle": 25.842, "minimum-region-size": 100}  # of the building
+CHOICES = {"maximum-distance": (.015, 1.5), "maximum-angle": (5, 75), "minimum-region-size": (10, 2000),
+           "angle-tolerance": (.5, 40), "simplicity": (0, .3), "regularity": (0, 1)}  # too small and too large
 COLUMNS = ["cloud", "parameter", "value", "shapes", "coverage_percent", "mean_distance_in_epsilons", "degrees_of_freedom",
            "f_of_faces", "kept_of_layers", "angle_error_deg", "false_parallels"]
+WALLS = ("bends", "bows", "offsets", "half offsets", "low steps", "steps", "boards", "strips")  # groups of clouds
 KNOBS = {"simplicity": "0 0.04 0.06 0.08 0.1 0.15 0.2 0.3 0.5 1", "regularity": "0 0.01 0.03 0.1 0.2 0.3 1 3 10"}
 
 
@@ -85,11 +89,67 @@ def render(cloud, name, options):
     run("gnuplot", "-c", FIGURES / "picture.gnuplot", cloud, picture(name), layout, options)
 
 
+def detect_building(*outputs, **changed):
+    options = [word for name, value in {**PARAMETERS, **changed}.items() for word in ("--" + name, value)]
+    run(program("detect_planes"), building(), *options, "--quiet", *outputs)
+
+
+def write_table(name, what, rows):
+    head = f"| {what} | shapes | directions | planes | complexity | coverage |\n|:--|--:|--:|--:|--:|--:|\n"
+    (MANUAL / f"tables/{name}.md").write_text(head + "".join(rows))
+
+
 def results(work):
-    build(FIGURES, BUILD / "results", "draw_figures")
-    run(BUILD / "results/draw_figures", building(), *PARAMETERS, work, MANUAL / "tables")
-    for cloud in work.glob("*.ply"):
-        render(cloud, cloud.stem, "alone = 1; width = 330; height = 260")
+    import numpy as np
+    import shape_colors
+
+    def read(name):
+        return np.fromfile(work / f"{name}.labels", "<i4"), np.loadtxt(work / f"{name}.planes", ndmin=2)[:, :3]
+
+    def draw(name, shapes, ranks):
+        shape_colors.write_colored(work / "colored.ply", points, *shapes, ranks)
+        render(work / "colored.ply", name, "alone = 1; width = 330; height = 260")
+
+    def draw_shapes(name, shapes, final):
+        draw(name, shapes, shape_colors.ranks_like(final[0], shapes[0]))
+
+    def draw_directions(name, shapes):
+        rows = csv.DictReader(open(work / "shapes.csv"))
+        draw(name, shapes, shape_colors.ranks_of_directions(shapes[0], np.array([int(r["parallel_group"]) for r in rows])))
+
+    def detect(**changed):
+        """What it finds, and its row of the table but for the name."""
+        detect_building("--labels", work / "it.labels", "--planes", work / "it.planes", "--shapes", work / "shapes.csv",
+                        "--report", work / "it.json", **changed)
+        report = json.loads((work / "it.json").read_text())
+        counts, criteria = report["counts"], report["criteria"]
+        return read("it"), (f" | {counts['shapes']} | {counts['directions']} | {counts['planes']} | "
+                            f"{criteria['complexity']:.2f} | {100 * criteria['coverage']:.1f} % |\n"), report["parameters"]
+
+    # Shapes below the minimum size are not shown, so it is small here: young ones are of interest.
+    build(FIGURES, BUILD / "results", "rounds")
+    detect_building("--output", work / "cloud.xyz")
+    points = np.loadtxt(work / "cloud.xyz")[:, :3]
+    distance, angle, _ = PARAMETERS.values()
+    write_table("rounds", "after", output_of(BUILD / "results/rounds", building(), distance, angle, 20, work))
+    for name in ("round_1", "round_2", "round_3", "round_last"):
+        draw_shapes(name, read(name), read("round_last"))
+
+    right, right_row, parameters = detect()
+    draw_shapes("right", right, right)
+    draw_directions("right_directions", right)
+    for option, values in CHOICES.items():
+        name = option.replace("-", "_")
+        rows = []
+        for value, size in zip(values, ("small", "large")):
+            shapes, row, _ = detect(**{option: value})
+            rows.append(f"| {value:g}" + row)
+            if option in ("angle-tolerance", "regularity"):
+                draw_directions(f"{name}_{size}", shapes)
+            else:
+                draw_shapes(f"{name}_{size}", shapes, right)
+        rows.insert(1, f"| {parameters[name]:g}" + right_row)
+        write_table(name, f"`{name}`", rows)
 
 
 def measure_cloud(work, cloud, name, knob, value):
@@ -106,14 +166,15 @@ def measure_cloud(work, cloud, name, knob, value):
 
 def measure_labels(work, knob, value):
     """A row of means over all labeled clouds, with given and with own normals."""
-    run(program("labeled_frames"), "--csv", work / "labels.csv", f"--{knob}", value, stdout=subprocess.DEVNULL)
-    rows = [row for row in csv.DictReader(open(work / "labels.csv")) if row["cloud"] != "mean"]
+    run(program("tandem_benchmark"), "labels", f"--{knob}", value, "--output", work, stdout=subprocess.DEVNULL)
+    rows = list(csv.DictReader(open(work / "labels.csv")))
 
     def mean(column, form, groups=None):
-        values = [float(row[column]) for row in rows if row[column] and (not groups or row["group"] in groups)]
+        values = [float(row[column]) for row in rows
+                  if row[column] and (row["group"] in groups if groups else row["group"] not in WALLS)]
         return format(sum(values) / len(values), form)
     return ["labels", knob, value] + 4 * [""] + [mean("segmentation_f", ".4f"),
-                                                 mean("mean_kept", ".4f", ("steps", "boards", "strips")),
+                                                 mean("mean_kept", ".4f", WALLS[-3:]),
                                                  mean("angle_error_deg", ".4f"), mean("parallel_false_relaxed", ".1f")]
 
 
@@ -135,10 +196,27 @@ def curves(_):
 
 
 def outlines(work):
-    """Shapes of the result, which is the same everywhere."""
-    run(program("outline_figures"), building(), *PARAMETERS, work)
-    plots = [f"plot '{work}/{shape}.points' with dots lc rgb '#999999', '{work}/{shape}.outline' with lines lw 2 "
-             "lc rgb '#0044aa'" for shape in (2, 3, 5)]
+    """Shapes of the result, which is the same everywhere; and how many corners the outlines share."""
+    import numpy as np
+    detect_building("--output", work / "cloud.xyz", "--polygons", work / "outlines.json")
+    cloud = np.loadtxt(work / "cloud.xyz")
+    shapes_at, plots = collections.defaultdict(set), []
+    for shape, feature in enumerate(json.loads((work / "outlines.json").read_text())["features"]):
+        rings = [np.array(ring) for polygon in feature["geometry"]["coordinates"] for ring in polygon]
+        for corner in (tuple(corner) for ring in rings for corner in ring):
+            shapes_at[corner].add(shape)
+        if shape not in (2, 3, 5):
+            continue
+        normal = np.array(feature["properties"]["plane"][:3])
+        across = np.cross((0, 0, 1), normal) / np.linalg.norm(normal[:2])
+        flat = np.transpose([across, np.cross(normal, across)])
+        np.savetxt(work / f"{shape}.points", cloud[cloud[:, -1] == shape, :3] @ flat)
+        with open(work / f"{shape}.outline", "w") as file:
+            for ring in rings:
+                np.savetxt(file, ring @ flat, footer="\n", comments="")
+        plots.append(f"plot '{work}/{shape}.points' with dots lc rgb '#999999', '{work}/{shape}.outline' with lines lw 2 "
+                     "lc rgb '#0044aa'")
+    print(sum(len(shapes) > 1 for shapes in shapes_at.values()), "corners are shared")
     run("gnuplot", "-e", f"set terminal pngcairo size 1080,360 font ',10'; set output '{picture('outlines')}'; "
         "set multiplot layout 1,3 margins .01,.99,.02,.98 spacing .02; unset key; unset tics; unset border; "
         "set size ratio -1; " + "; ".join(plots))

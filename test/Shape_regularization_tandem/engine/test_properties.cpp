@@ -8,7 +8,7 @@
 #include "testing/property_case.h"
 #include "testing/same_result.h"
 
-#include <cfloat>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 BOOST_AUTO_TEST_SUITE(test_properties)
 
@@ -16,11 +16,7 @@ BOOST_AUTO_TEST_SUITE(test_properties)
 // interface, with 113 bits.
 
 // The product of two doubles is exact.
-#if LDBL_MANT_DIG >= 113
-using Real = long double;
-#else
-using Real = __float128;
-#endif
+using Real = boost::multiprecision::cpp_bin_float_quad;
 
 using Vector = std::array<Real, 3>;
 
@@ -32,23 +28,10 @@ Vector to_vector(const Geometry& g)
   return {Real(g.x()), Real(g.y()), Real(g.z())};
 }
 
-// The Taylor series, for 0 to 90 degrees.
-Real cosine(double degrees)
-{
-  const Real pi = Real(0x1.921fb54442d18p+1) + Real(0x1.1a62633145c07p-53) + Real(-0x1.f1976b7ed8fbcp-109);
-  const Real x = Real(degrees) * pi / 180;
-  Real sum = 0, term = 1;
-  for(int i = 1; i <= 60; i += 2) {
-    sum += term;
-    term *= -x * x / (i * (i + 1));
-  }
-  return sum;
-}
-
 // The first point of a shape that does not fit its plane, or nothing. Distances and angles are compared by their squares.
 std::string infidelity(const Cloud& cloud, Given given, const Shapes& shapes)
 {
-  const Real least_cosine = cosine(shapes.parameters().maximum_angle);
+  const Real least_cosine = cos(Real(shapes.parameters().maximum_angle) * acos(Real(-1)) / 180);
   const Real epsilon = Real(shapes.parameters().maximum_distance);
   for(std::size_t i = 0; i < cloud.size(); ++i) {
     if(shapes.shape_index(i) < 0)

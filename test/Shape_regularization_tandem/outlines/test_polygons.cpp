@@ -1,74 +1,233 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outlines of points in a plane, of all sorts and random ones, which must become simple polygons that have nothing in
-// common; and the work that the borders between many shapes are.
+// The polygons of shapes: corners are on their planes, and rings are simple and nested in the very numbers that users get,
+// of all sorts of points in a plane and of random scenes. The parts and holes of known points. And the work that the
+// borders between many shapes are.
+//   test_outlines --run_test=test_polygons -- SEED COUNT   other random scenes, from SEED on
 
-#include "testing/test_support.h"
+#include "testing/property_case.h"
 
 #include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_polygons)
 
 namespace outlines = CGAL::Tandem::internal::outlines;
-using outlines::Outline_vertex;
-using outlines::Polygon;
-using Flat = outlines::Kernel::Point_2;
+using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
+using Exact = outlines::Kernel; // of the predicates
+using Flat = Exact::Point_2;
+using Ring = std::vector<Flat>;
 
-// Loops are simple, and have no point in common.
-void check_apart(const std::vector<std::vector<Flat>>& loops, const std::string& where)
+struct Case {
+  std::string name;
+  Cloud cloud;
+  Shapes shapes;
+};
+
+struct Totals {
+  std::size_t with_polygons = 0, polygons = 0, points = 0, inside = 0;
+};
+
+// The outlines of a shape in two coordinates, without the one along which the plane is steepest: simplicity is decided of
+// the very numbers, by exact predicates.
+class Outline_check {
+public:
+  Outline_check(const Case& c, const Areas& areas, std::size_t s)
+    : case_(c), areas_(areas), s_(s), c_(c.shapes.coefficients(s))
+  {
+    for(int k = 1; k < 3; ++k)
+      if(std::fabs(c_[std::size_t(k)]) > std::fabs(c_[std::size_t(steepest_)]))
+        steepest_ = k;
+    for(const auto& polygon : areas.polygons(s)) {
+      polygons_.push_back({ring_of(polygon.outer)});
+      for(const auto& hole : polygon.holes)
+        polygons_.back().push_back(ring_of(hole));
+    }
+  }
+
+  void run(Totals& totals)
+  {
+    check_rings();
+    check_areas();
+    check_points(totals);
+  }
+
+private:
+  using Loop = CGAL::Tandem::Indexed_polygon::Loop;
+  using Point = Kernel::Point_3;
+
+  void expect(bool is_true, const char* what) const
+  {
+    CHECK_AT(is_true, case_.name + ", shape " + std::to_string(s_) + ": " + what);
+  }
+
+  // Counterclockwise about the normal where the loop is.
+  Flat flat(double x, double y) const { return c_[std::size_t(steepest_)] < 0 ? Flat(y, x) : Flat(x, y); }
+  Flat flat(const Point& p) const { return flat(p[(steepest_ + 1) % 3], p[(steepest_ + 2) % 3]); }
+
+  // To the rounding of the coordinates.
+  long double height(const Point& p, long double& size) const
+  {
+    long double sum = c_[3];
+    size = std::fabs(sum);
+    for(int k = 0; k < 3; ++k) {
+      const long double term = static_cast<long double>(c_[std::size_t(k)]) * p[k];
+      sum += term;
+      size += std::fabs(term);
+    }
+    return sum;
+  }
+
+  Ring ring_of(const Loop& loop) const
+  {
+    Ring ring;
+    for(std::uint32_t corner : loop) {
+      long double size;
+      const Point& p = areas_.points().at(corner);
+      expect(std::fabs(height(p, size)) <= size * 0x1p-51L, "off the plane");
+      ring.push_back(flat(p));
+    }
+    return ring;
+  }
+
+  // Rings are simple and have nothing in common. A hole is in its polygon, and in no other polygon or hole without the
+  // other one of the two; so is a polygon.
+  void check_rings() const
+  {
+    const auto edge = [](const Ring& ring, std::size_t i) {
+      return Exact::Segment_2(ring[i], ring[(i + 1) % ring.size()]);
+    };
+    for_each_ring([&](const std::vector<Ring>& own, const Ring& a) {
+      const bool is_hole = &a != &own.front(),
+                 is_simple = a.size() >= 3 && CGAL::is_simple_2(a.begin(), a.end(), Exact());
+      expect(is_simple, "a ring touches or crosses itself");
+      expect(!is_simple ||
+               CGAL::orientation_2(a.begin(), a.end(), Exact()) == (is_hole ? CGAL::CLOCKWISE : CGAL::COUNTERCLOCKWISE),
+             "orientation");
+      expect(!is_hole || is_in(own[0], a[0], CGAL::ON_BOUNDED_SIDE), "hole outside");
+      int depth = 0;
+      for_each_ring([&](const std::vector<Ring>& other, const Ring& b) {
+        if(&a == &b)
+          return;
+        depth += is_in(b, a[0], CGAL::ON_BOUNDED_SIDE) ? (&b == &other.front() ? 1 : -1) : 0;
+        for(std::size_t i = 0; i < a.size(); ++i)
+          for(std::size_t j = 0; j < b.size(); ++j)
+            expect(!CGAL::do_overlap(edge(a, i).bbox(), edge(b, j).bbox()) ||
+                     !CGAL::do_intersect(edge(a, i), edge(b, j)),
+                   "rings touch or cross");
+      });
+      expect(depth == is_hole, "nesting");
+    });
+  }
+
+  // f(polygon, ring of it)
+  template <class F>
+  void for_each_ring(const F& f) const
+  {
+    for(const std::vector<Ring>& polygon : polygons_)
+      for(const Ring& ring : polygon)
+        f(polygon, ring);
+  }
+
+  static bool is_in(const Ring& ring, const Flat& p, CGAL::Bounded_side side)
+  {
+    return CGAL::bounded_side_2(ring.begin(), ring.end(), p, Exact()) == side;
+  }
+
+  static bool is_inside(const std::vector<Ring>& polygon, const Flat& p)
+  {
+    return !is_in(polygon[0], p, CGAL::ON_UNBOUNDED_SIDE) &&
+           std::none_of(polygon.begin() + 1, polygon.end(),
+                        [&](const Ring& hole) { return is_in(hole, p, CGAL::ON_BOUNDED_SIDE); });
+  }
+
+  long double area_of(const Ring& r)
+  {
+    long double sum = 0;
+    for(std::size_t i = 1; i + 1 < r.size(); ++i) {
+      const long double x = r[0].x(), y = r[0].y(), ax = r[i].x() - x, ay = r[i].y() - y;
+      sum += ax * (r[i + 1].y() - y) - ay * (r[i + 1].x() - x);
+      largest_square_ = (std::max)({largest_square_, ax * ax, ay * ay});
+    }
+    return sum / 2 / std::fabs(c_[std::size_t(steepest_)]);
+  }
+
+  // Of the rings, and of the triangles that fill them.
+  void check_areas()
+  {
+    long double of_rings = 0, of_triangles = 0;
+    for_each_ring([&](const std::vector<Ring>&, const Ring& ring) { of_rings += area_of(ring); });
+    for(const auto& polygon : areas_.polygons(s_))
+      for(const auto& t : polygon.triangles) {
+        const Ring triangle = ring_of({t.begin(), t.end()});
+        expect(CGAL::orientation(triangle[0], triangle[1], triangle[2]) == CGAL::LEFT_TURN, "a triangle");
+        of_triangles += area_of(triangle);
+      }
+    const long double area = areas_.area(s_);
+    for(long double sum : {of_rings, of_triangles})
+      expect(std::fabs(sum - area) <= 1e-12L * (area + largest_square_), "area");
+  }
+
+  // A polygon has points of its shape in it, and most points are in a polygon.
+  void check_points(Totals& totals) const
+  {
+    std::vector<std::size_t> inside(polygons_.size());
+    for(std::size_t i : case_.shapes.points(s_)) {
+      const Point p = case_.cloud[i].first;
+      long double size;
+      const double h = double(height(p, size));
+      const Flat foot = flat({p.x() - h * c_[0], p.y() - h * c_[1], p.z() - h * c_[2]});
+      for(std::size_t k = 0; k < polygons_.size(); ++k)
+        inside[k] += is_inside(polygons_[k], foot);
+    }
+    for(std::size_t count : inside) {
+      expect(count >= 3, "points in a polygon");
+      totals.inside += count;
+    }
+    totals.points += polygons_.empty() ? 0 : case_.shapes.points(s_).size();
+    totals.with_polygons += !polygons_.empty();
+    totals.polygons += polygons_.size();
+  }
+
+  const Case& case_;
+  const Areas& areas_;
+  std::size_t s_;
+  const CGAL::Tandem::Coefficients& c_;
+  int steepest_ = 0;
+  std::vector<std::vector<Ring>> polygons_; // the outer ring first
+  long double largest_square_ = 0;
+};
+
+void check_case(const Case& c, Totals& totals)
 {
-  using Segment = outlines::Kernel::Segment_2;
-  const auto edge = [](const std::vector<Flat>& l, std::size_t i) { return Segment(l[i], l[(i + 1) % l.size()]); };
-  for(std::size_t a = 0; a < loops.size(); ++a) {
-    CHECK_AT(CGAL::is_simple_2(loops[a].begin(), loops[a].end(), outlines::Kernel()), where);
-    for(std::size_t b = 0; b < a; ++b)
-      for(std::size_t i = 0; i < loops[a].size(); ++i)
-        for(std::size_t j = 0; j < loops[b].size(); ++j)
-          CHECK_AT(!CGAL::do_intersect(edge(loops[a], i), edge(loops[b], j)), where);
+  try {
+    const Areas areas = CGAL::Tandem::polygons(c.shapes, c.cloud, CGAL::Tandem::parameters::point_map(First<Kernel>()));
+    for(std::size_t s = 0; s < c.shapes.number_of_shapes(); ++s)
+      Outline_check(c, areas, s).run(totals);
+  } catch(const std::exception& e) {
+    CHECK_AT(false, c.name + ": " + e.what());
   }
 }
 
-// Returns the area.
-double check_valid(const std::vector<Flat>& vertices, const std::vector<Polygon>& polygons, const std::string& where)
+// All points in one shape.
+Case case_of_plane(const std::string& name, const Cloud& cloud, const CGAL::Tandem::Coefficients& plane)
 {
-  std::vector<std::vector<Flat>> loops;
-  const auto add = [&](const Polygon::Loop& loop) {
-    loops.emplace_back();
-    for(std::uint32_t i : loop)
-      loops.back().push_back(vertices.at(i));
-    CHECK_AT(loop.size() >= 3, where);
-    return CGAL::polygon_area_2(loops.back().begin(), loops.back().end(), outlines::Kernel());
-  };
-  double sum = 0;
-  for(const Polygon& polygon : polygons) {
-    double area = add(polygon.outer), of_triangles = 0;
-    CHECK_AT(area > 0, where);
-    for(const Polygon::Loop& hole : polygon.holes) {
-      const double of_hole = add(hole);
-      CHECK_AT(of_hole < 0, where);
-      area += of_hole;
-    }
-    for(const auto& t : polygon.triangles) {
-      CHECK_AT(CGAL::orientation(vertices[t[0]], vertices[t[1]], vertices[t[2]]) == CGAL::LEFT_TURN, where);
-      of_triangles += CGAL::area(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
-    }
-    CHECK_AT(std::fabs(of_triangles - area) < 1e-9 * (1 + area), where); // so the holes are inside of this one
-    sum += area;
-  }
-  check_apart(loops, where);
-  return sum;
+  const std::vector<CGAL::Tandem::Coefficients> planes = {plane};
+  const auto list = CGAL::Tandem::parameters::settings(make_parameters(1, 3)).point_map(First<Kernel>());
+  return {name, cloud, CGAL::Tandem::shapes_of_planes<CGAL::Sequential_tag>(planes, cloud, list)};
 }
+
+// --- Points in a plane
 
 struct Result {
   double area;
@@ -78,17 +237,17 @@ struct Result {
 Result outline_of(const std::vector<Flat>& points, const std::string& where)
 {
   const outlines::Outline_limits limits;
-  std::vector<Outline_vertex> vertices;
-  std::vector<Polygon> polygons;
+  std::vector<outlines::Outline_vertex> vertices;
+  std::vector<outlines::Polygon> polygons;
   CHECK_AT(outlines::make_polygons(outlines::Outline_triangulation(points).outline(limits), limits.tolerance, vertices,
                                    polygons),
            where);
-  std::vector<Flat> corners;
-  for(const Outline_vertex& v : vertices)
-    corners.push_back(v.point);
-  Result result = {check_valid(corners, polygons, where), polygons.size(), 0};
-  for(const Polygon& polygon : polygons)
+  Result result = {0, polygons.size(), 0};
+  for(const outlines::Polygon& polygon : polygons) {
     result.holes += polygon.holes.size();
+    for(const auto& [a, b, c] : polygon.triangles)
+      result.area += CGAL::area(vertices[a].point, vertices[b].point, vertices[c].point);
+  }
   return result;
 }
 
@@ -131,21 +290,69 @@ BOOST_AUTO_TEST_CASE(points_in_a_plane)
 }
 
 // Clusters of all densities, lines, lattices and equal points.
-BOOST_DATA_TEST_CASE(random_points, boost::unit_test::data::xrange(60), run)
+BOOST_AUTO_TEST_CASE(random_points)
 {
-  Generator g{std::mt19937(unsigned(run))};
-  std::vector<Flat> points;
-  for(int i = 0; i < 6; ++i) {
-    const int n = int(400 * g.unit());
-    g.add(points, n, {g.unit(), g.unit(), g.unit() * g.unit(), g.unit() * g.unit()});
+  Totals totals;
+  for(unsigned run = 0; run < 60; ++run) {
+    Generator g{std::mt19937(run)};
+    std::vector<Flat> points;
+    for(int i = 0; i < 6; ++i) {
+      const int n = int(400 * g.unit());
+      g.add(points, n, {g.unit(), g.unit(), g.unit() * g.unit(), g.unit() * g.unit()});
+    }
+    if(run % 3 == 0)
+      for(int i = 0; i < 300; ++i)
+        points.emplace_back(i % 20 * .05, i / 20 * .05);
+    if(run % 4 == 0)
+      points.insert(points.end(), points.begin(), points.begin() + 20);
+    Cloud cloud;
+    for(const Flat& p : points)
+      add(cloud, {p.x(), p.y(), 0}, {0, 0, 1});
+    check_case(case_of_plane("run " + std::to_string(run), cloud, {0, 0, 1, 0}), totals);
   }
-  if(run % 3 == 0)
-    for(int i = 0; i < 300; ++i)
-      points.emplace_back(i % 20 * .05, i / 20 * .05);
-  if(run % 4 == 0)
-    points.insert(points.end(), points.begin(), points.begin() + 20);
-  outline_of(points, "run " + std::to_string(run));
+  CHECK_AT(totals.polygons > 60, std::to_string(totals.polygons));
 }
+
+// --- Scenes
+
+// So far from the origin that coordinates are rounded to a few tenths of the spacing, or less.
+BOOST_AUTO_TEST_CASE(far_from_the_origin)
+{
+  scenes::Random random(3);
+  Totals totals;
+  constexpr int runs = is_sanitized ? 10 : 100;
+  for(int run = 0; run < runs; ++run) {
+    const scenes::Vec n = random.direction(), u = unit(cross(n, random.direction())), v = cross(n, u);
+    const double width = 1e-9 * std::ldexp(20, run % 10), offset = -5e6 * (n.x + n.y + n.z);
+    Cloud cloud;
+    for(int cluster = 0; cluster < 6; ++cluster) { // of all densities, so that outlines nearly touch
+      const double x = random.uniform(), y = random.uniform();
+      const double dx = random.uniform() * random.uniform(), dy = random.uniform() * random.uniform();
+      for(int i = 0; i < 200; ++i) {
+        const double a = width * (x + dx * random.uniform()), b = width * (y + dy * random.uniform());
+        add(cloud, add_scaled(add_scaled({5e6, 5e6, 5e6}, a, u), b, v), n);
+      }
+    }
+    check_case(case_of_plane("far, run " + std::to_string(run), cloud, {n.x, n.y, n.z, offset}), totals);
+  }
+  CHECK(totals.with_polygons > runs / 5);
+}
+
+BOOST_AUTO_TEST_CASE(random_scenes)
+{
+  Totals t;
+  const std::uint64_t first = argument(1, 1), count = argument(2, is_sanitized ? 10 : 60);
+  for(std::uint64_t seed = first; seed < first + count; ++seed) {
+    const Property_case c = Case_maker(seed).make();
+    try {
+      check_case({c.name, c.cloud, detect(c.cloud, c.parameters, c.given)}, t);
+    } catch(const CGAL::Tandem::Parameter_error&) {
+    } // too wide: test_properties
+  }
+  CHECK(count == 1 || (t.polygons > 0 && double(t.inside) > .8 * double(t.points)));
+}
+
+// --- The work
 
 // What it is to find the borders of walls of 1 x 1 that stand on one floor, in rows, each in one plane.
 double work(std::size_t walls)

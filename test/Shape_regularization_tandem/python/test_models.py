@@ -152,16 +152,6 @@ def test_lines():
     assert shapes.upward_direction() == (0, 0, 1)
 
 
-def test_upright():
-    turn = np.radians(.3)
-    y, z = (c.ravel() for c in np.meshgrid(np.arange(0, 4, .05), np.arange(0, 3, .05)))
-    walls = [np.stack([y, np.zeros(y.size), z], axis=1), np.stack([np.zeros(y.size), y + z * np.sin(turn), z], axis=1),
-             np.stack([4 + z * np.sin(turn), y, z], axis=1), np.stack([y, z, np.zeros(y.size)], axis=1)]
-    up = (0, 0, 1)
-    shapes = tandem.detect_planes(np.concatenate(walls), maximum_distance=.02, fixed_directions=[up], fixed_regularity=2)
-    assert set(abs(shapes.planes[:, 2])) <= {0., 1.} and shapes.parameters["fixed_regularity"] == 2
-
-
 def test_without_shapes():
     with pytest.warns(tandem.TandemWarning, match="no shape was found"):
         shapes = tandem.detect_planes(np.zeros((3, 3)), maximum_distance=1)

@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The degrees of freedom of directions with right angles, against the rank of the equations that these are, by
-// elimination: as few as there are, and those of the largest shapes that can have them.
+// The degrees of freedom of directions with right angles, against the rank of the equations that these are: as
+// few as there are, and those of the largest shapes that can have them.
 
 #include "testing/direction_families.h"
 
 #include <CGAL/Tandem/internal/result/export_shapes.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -21,49 +22,28 @@ using namespace CGAL::Tandem::internal;
 using Pairs = std::vector<std::pair<int, int>>;
 using Sizes = std::vector<std::int64_t>;
 
-int rank(std::vector<std::vector<double>> rows)
-{
-  int result = 0;
-  for(std::size_t column = 0; !rows.empty() && column < rows.front().size(); ++column) {
-    const auto largest = std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-      return std::fabs(a[column]) < std::fabs(b[column]);
-    });
-    const std::vector<double> pivot = *largest;
-    if(std::fabs(pivot[column]) < 1e-9)
-      continue;
-    rows.erase(largest);
-    ++result;
-    for(std::vector<double>& row : rows) {
-      const double factor = row[column] / pivot[column];
-      for(std::size_t k = 0; k < row.size(); ++k)
-        row[k] -= factor * pivot[k];
-    }
-  }
-  return result;
-}
-
 // The turns of all directions that keep the right angles, to first order, are the null space of one equation a pair. By
 // falling size, each direction adds what it has of the freedom that larger ones leave.
 std::vector<int> freedom_by_rank(const Directions& d, const Sizes& size, const Pairs& pairs)
 {
-  std::vector<std::vector<double>> rows;
+  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(Eigen::Index(pairs.size()), Eigen::Index(2 * d.size()));
+  Eigen::Index row = 0;
   for(const auto& [a, b] : pairs) {
-    rows.emplace_back(2 * d.size(), 0.);
     const Plane_basis of_a(d[std::size_t(a)]), of_b(d[std::size_t(b)]);
-    rows.back()[std::size_t(2 * a)] = dot(of_a.u, d[std::size_t(b)]);
-    rows.back()[std::size_t(2 * a + 1)] = dot(of_a.v, d[std::size_t(b)]);
-    rows.back()[std::size_t(2 * b)] = dot(of_b.u, d[std::size_t(a)]);
-    rows.back()[std::size_t(2 * b + 1)] = dot(of_b.v, d[std::size_t(a)]);
+    equations(row, 2 * a) = dot(of_a.u, d[std::size_t(b)]);
+    equations(row, 2 * a + 1) = dot(of_a.v, d[std::size_t(b)]);
+    equations(row, 2 * b) = dot(of_b.u, d[std::size_t(a)]);
+    equations(row++, 2 * b + 1) = dot(of_b.v, d[std::size_t(a)]);
   }
+  const auto rank = [&] { return pairs.empty() ? 0 : int(Eigen::FullPivLU<Eigen::MatrixXd>(equations).rank()); };
   std::vector<int> order(d.size()), freedom(d.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return size[std::size_t(a)] > size[std::size_t(b)]; });
   for(int next : order) { // whose columns are removed
-    const int before = rank(rows);
-    for(std::vector<double>& row : rows)
-      row[std::size_t(2 * next)] = row[std::size_t(2 * next + 1)] = 0;
-    freedom[std::size_t(next)] = 2 - before + rank(rows);
+    const int before = rank();
+    equations.middleCols<2>(2 * next).setZero();
+    freedom[std::size_t(next)] = 2 - before + rank();
   }
   return freedom;
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is judged of the labels and planes that any detector made: the paper's criteria, how few and how large its shapes
-// are, and how far several runs differ. Nothing of the package takes part.
+// What is judged of the labels and planes that any detector made: the paper's criteria, and how few and how large its
+// shapes are. Nothing of the package takes part.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -287,56 +286,6 @@ inline Curves evaluate_curves(const std::vector<Vec>& points, const std::vector<
     needed.degrees_of_freedom = counts.degrees_of_freedom + counts.planes;
   }
   return curves;
-}
-
-// Of each shape of `other`: the shape of `reference` it corresponds to, or -1. Each is taken once, by the number
-// of common points; ties go to the smaller indices.
-inline std::vector<std::int32_t> match_shapes(const Detection& reference, const Detection& other)
-{
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> common;
-  for(std::size_t i = 0; i < reference.label.size(); ++i)
-    if(reference.label[i] >= 0 && other.label[i] >= 0)
-      ++common[{other.label[i], reference.label[i]}];
-  std::vector<std::pair<std::size_t, std::pair<std::int32_t, std::int32_t>>> by_size;
-  for(const auto& entry : common)
-    by_size.emplace_back(entry.second, entry.first);
-  std::stable_sort(by_size.begin(), by_size.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::int32_t> match(other.planes.size(), -1);
-  std::vector<bool> is_taken(reference.planes.size(), false);
-  for(const auto& entry : by_size) {
-    std::size_t s = std::size_t(entry.second.first), r = std::size_t(entry.second.second);
-    if(match[s] < 0 && !is_taken[r]) {
-      match[s] = entry.second.second;
-      is_taken[r] = true;
-    }
-  }
-  return match;
-}
-
-inline double relabeled_ratio(const Detection& reference, const Detection& other)
-{
-  std::vector<std::int32_t> match = match_shapes(reference, other);
-  std::size_t count = 0;
-  for(std::size_t i = 0; i < reference.label.size(); ++i) {
-    // A shape without a counterpart never equals the label of the reference, -1 included.
-    std::int32_t label = other.label[i] < 0 ? -1 : match[std::size_t(other.label[i])];
-    count += label != reference.label[i] || (label < 0 && other.label[i] >= 0);
-  }
-  return reference.label.empty() ? 0 : double(count) / double(reference.label.size());
-}
-
-// How far the results of several runs on the same points differ: the largest ratio of points with another shape than in
-// the first run. Nothing, for a method that is deterministic. Throws std::runtime_error where the points are others.
-inline double evaluate_spread(const std::vector<Detection>& runs)
-{
-  double largest = 0;
-  for(std::size_t r = 0; r < runs.size(); ++r) {
-    if(runs[r].label.size() != runs[0].label.size())
-      throw std::runtime_error("run " + std::to_string(r) + " has another number of points than run 0");
-    shape_sizes(runs[r]); // throws for labels that no plane has
-    largest = (std::max)(largest, r == 0 ? 0 : relabeled_ratio(runs[0], runs[r]));
-  }
-  return largest;
 }
 
 } // namespace CGAL::Tandem::benchmark

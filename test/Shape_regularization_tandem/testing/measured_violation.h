@@ -7,8 +7,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEASURED_VIOLATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEASURED_VIOLATION_H
 
-#include "count_links.h"
-
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/result/export_shapes.h>
@@ -129,6 +127,16 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     {"score.price", t.score.price, r.score.price, 0},
     {"score.freedom", t.score.freedom, r.score.freedom, 0},
   });
+}
+
+// The neighbors of surfel i that have another shape, or one where it has none, for each of its points.
+inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uint32_t* label, Score_counts& counts)
+{
+  const std::uint32_t* row = cloud.row(i);
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+    if(label[row[j]] != label[i])
+      (label[i] == free_label || label[row[j]] == free_label ? counts.free_links : counts.links) +=
+        cloud.surfels.points(i).size();
 }
 
 // The links are counted again in the neighbor graph, unless shapes were left out.

@@ -32,10 +32,8 @@ namespace CGAL::Tandem::internal {
 
 namespace outlines {
 
-// The outlines of shapes, with empty entries for those that have no points. Outlines that are not regular are straightened
-// only.
+// The outlines of shapes, with empty entries for those that have no points.
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      bool are_regular = true,
                                                       const Model_progress& progress = Model_progress());
 
 // The lines at which the shapes meet whose outlines these are.

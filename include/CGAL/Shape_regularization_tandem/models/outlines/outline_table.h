@@ -72,16 +72,14 @@ public:
     });
   }
 
-  // Once: the drafts are used up. Outlines that are not regular are straightened only.
-  Polygon_table polygons(bool are_regular)
+  // Once: the drafts are used up.
+  Polygon_table polygons()
   {
     draw_borders();
     is_framed.resize(n);
     for_each_in_parallel(n, progress, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
-    if(are_regular) {
-      make_regular();
-      share_vertices();
-    }
+    make_regular();
+    share_vertices();
     return joined_polygons();
   }
 
@@ -336,17 +334,17 @@ inline Polygon_table with_orientations_of(const std::vector<Coefficients>& plane
 }
 
 // Of shapes with points.
-inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data, bool are_regular,
+inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data,
                                        const Model_progress& progress)
 {
   const Shapes shapes(with_positive_normals(data));
-  return with_orientations_of(data.coefficients, Polygon_maker(points, shapes, progress).polygons(are_regular));
+  return with_orientations_of(data.coefficients, Polygon_maker(points, shapes, progress).polygons());
 }
 
 // Known planes may have no points.
 // NOLINTNEXTLINE(misc-definitions-in-headers): inline where no library is linked
 CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      bool are_regular, const Model_progress& progress)
+                                                      const Model_progress& progress)
 {
   std::vector<std::size_t> source;
   std::vector<int> number(data.size.size(), -1);
@@ -356,8 +354,8 @@ CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position
       source.push_back(s);
     }
   if(source.size() == number.size())
-    return table_of_outlines(points, data, are_regular, progress);
-  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular, progress);
+    return table_of_outlines(points, data, progress);
+  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), progress);
   for(std::size_t s = 0; s < number.size(); ++s)
     if(number[s] < 0) {
       const auto place = std::ptrdiff_t(s);

@@ -352,9 +352,8 @@ try {
   constexpr double outlines_end = .3;
   progress.begin_stage(outlines_end);
   const outlines::Shapes shapes(data);
-  const Surface_scene scene(points, shapes,
-                            request.outlines ? *request.outlines
-                                             : outlines::outline_table(points, shapes.data(), true, progress));
+  const Surface_scene scene(
+    points, shapes, request.outlines ? *request.outlines : outlines::outline_table(points, shapes.data(), progress));
   const std::vector<Site> sites = sites_of(scene, request);
   Surface_table result;
   for(std::size_t s = 0; s < sites.size(); ++s)
