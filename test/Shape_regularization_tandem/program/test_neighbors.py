@@ -9,8 +9,8 @@ import subprocess
 
 import numpy as np
 import pytest
-from clouds import las
-from support import CLOUD, CUBE, N, NOTHING, ROWS, ply
+from clouds import las, read_las
+from support import CLOUD, CUBE, N, NOTHING, ROWS, ply, properties, text_of
 
 CXX = os.environ.get("TANDEM_CXX") or shutil.which("c++")
 PROGRAM_OF_CGAL = """
@@ -36,9 +36,31 @@ int main(int, char* argv[])
 
 
 def prepare(p):
-    p.write({"cloud.las": las(ROWS[:, :3], 6, extra=0)})
+    p.write({"cloud.las": las(ROWS[:, :3], 6, extra=0),
+             "compared.ply": ply(f"comment Created by CloudCompare v2.13\nelement vertex {N}\n" + properties("xyz", "float") +
+                                 properties(["scalar_Intensity", "scalar_GpsTime"], "float"),
+                                 text_of(np.column_stack([ROWS[:, :3], np.arange(2 * N).reshape(N, 2)])))})
     p(0, NOTHING, "cloud.las E --quiet --output shapes.las --labels labels")
     p(0, NOTHING, "cube.ply E --quiet --output shapes.ply")
+
+
+def test_cloudcompare(p):
+    """Its scalar fields stay, and the shape is one in addition, as a number of one type before no list."""
+    p(0, NOTHING, "compared.ply E --quiet --output back.ply --labels compared")
+    head, rows = p.read("back.ply").split("end_header\n")
+    names = [line.split()[2] for line in head.splitlines() if line.startswith("property")]
+    assert names[:5] == ["x", "y", "z", "scalar_Intensity", "scalar_GpsTime"] and names[-1] == "shape" and "list" not in head
+    rows = np.array([row.split() for row in rows.splitlines()], float)
+    assert (rows[:, 3:5] == np.arange(2 * N).reshape(N, 2)).all() and (rows[:, -1] == p.labels("compared")).all()
+
+
+def test_qgis(p):
+    """GeoJSON in a coordinate system, and the one of a LAS file, which layers of point clouds have"""
+    p(0, NOTHING, "cloud.las E --quiet --polygons outlines.geojson --crs EPSG:25832 --output crs.las")
+    outlines = p.json("outlines.geojson")
+    assert outlines["crs"]["properties"]["name"] == "EPSG:25832" and len(outlines["features"]) == 3
+    assert {"shape", "area", "dip_deg"} <= set(outlines["features"][0]["properties"])
+    assert ("LASF_Projection", 2112) in read_las(p.path("crs.las").read_bytes()).records
 
 
 @pytest.mark.skipif(not shutil.which("pdal"), reason="PDAL is missing")
