@@ -311,9 +311,6 @@ double smallest_noise(const Measure& measure, const Processes& processes)
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p,
                              const char* tolerances, const Free_origin& origin)
 {
-  if(origin.veil_points > 0)
-    return sentence("no shape is left: all shapes, of ", origin.veil_points,
-                    " points, are veils, edge-on to the sensor and in fewer than three rows of rays (--viewpoint)");
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
   if(points == 0 && s.number_of_ignored_tolerances > 0)
     return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,

@@ -70,8 +70,8 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
                   [&o](const std::string& text) { o.viewpoint = parse_three("viewpoint", text, Three::place); }),
     "the place of the sensor, from which all points were seen: estimated normals and, with them, outward sides of "
     "planes are towards it, and --noise measures distances from it. Unless it is farther away than the points extend, "
-    "or there are several processes, points of shapes that it cannot have measured become free, and --shapes tells "
-    "which ones it saw behind others (default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, "
+    "points of shapes that it cannot have measured become free, and --shapes tells which ones it saw behind others "
+    "(default: the VIEWPOINT of .pcd files, but 0 0 0 1 0 0 0 only for --oriented, "
     "and the place of each scan in .ptx)");
   add(group, "ignore-zeros", po::bool_switch(&o.ignores_zeros),
       "ignore points exactly at 0 0 0, such as invalid pixels of depth cameras, also where they are few or near other "

@@ -363,15 +363,15 @@ struct Places {
   using category = boost::readable_property_map_tag;
 
   const Points* points;
-  std::vector<Kernel::Point_3> places; // of both halves of the points, or of all
+  std::vector<Kernel::Point_3> places; // in turn
 
   friend value_type get(const Places& map, const Kernel::Point_3& p)
   {
-    return map.places.size() == 1 || &p < map.points->data() + map.points->size() / 2 ? map.places[0] : map.places[1];
+    return map.places[std::size_t(&p - map.points->data()) % map.places.size()];
   }
 };
 
-// As veils(), but of the places of both halves.
+// The facts of shapes whose points were seen from these places in turn. Veils are not selected.
 std::vector<Shape_facts> seen_facts(const Cloud& cloud, const Points& places)
 {
   const auto np = CGAL::Tandem::parameters::viewpoint_map(Places{&cloud.points, places});
@@ -405,7 +405,8 @@ Patch rows_of_rays(int first, int rows, bool is_veil)
 BOOST_AUTO_TEST_CASE(test_veils)
 {
   const auto is_veil = [](const Patch& p, const Points& from = origin) {
-    Cloud cloud = cloud_of({p});
+    // And a wall, of which most points are.
+    Cloud cloud = cloud_of({p, patch({7, -4, -4}, {0, 8, 0}, {0, 0, 8}, .07)});
     cloud.data.parameters.maximum_distance = .3;
     return seen_facts(cloud, from)[0].is_veil;
   };
@@ -419,6 +420,10 @@ BOOST_AUTO_TEST_CASE(test_veils)
   const Patch veil = rows_of_rays(0, 1, true);
   CHECK(!is_veil(veil, {above}) && !is_veil(veil, {nowhere}) && !is_veil(veil, {origin[0], above}));
   CHECK(facts_of({veil})[0].is_veil == false);
+  // A place in the planes of most points is not that of a sensor.
+  Cloud alone = cloud_of({veil});
+  alone.data.parameters.maximum_distance = .3;
+  CHECK(!seen_facts(alone, origin)[0].is_veil);
   // A row of a wall is not deep, and a post is not edge-on.
   CHECK(!is_veil(patch({3, -1, 0}, {0, 2, 0}, {0, 0, .03}, .03)));
   CHECK(!is_veil(patch({3, -.03, -1}, {0, .06, 0}, {0, 0, 2}, .03)));

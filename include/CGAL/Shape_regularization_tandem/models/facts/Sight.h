@@ -145,7 +145,8 @@ public:
       steps.push_back(angular_step(std::move(of_station)));
   }
 
-  // Of each shape. Coplanar shapes are pieces of one surface, as of a wall that the rays graze.
+  // Of each shape. Coplanar shapes are pieces of one surface, as of a wall that the rays graze. Where most points would be
+  // in veils, the places are not those of sensors, and there are none.
   std::vector<char> veils() const
   {
     std::vector<std::vector<std::size_t>> groups(shapes.number_of_shapes()); // some may be empty
@@ -157,7 +158,12 @@ public:
       for(std::size_t s : groups[g])
         result[s] = is_one;
     });
-    return result;
+    std::size_t number = 0, in_veils = 0;
+    for(std::size_t s = 0; s < result.size(); ++s) {
+      number += shapes.size(s);
+      in_veils += result[s] != 0 ? shapes.size(s) : 0;
+    }
+    return 2 * in_veils < number ? result : std::vector<char>(result.size());
   }
 
   // The shape that most rays to a shape cross first, or -1, unless more than half of the rays cross some shape.
