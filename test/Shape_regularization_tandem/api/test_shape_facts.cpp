@@ -418,7 +418,7 @@ BOOST_AUTO_TEST_CASE(test_veils)
   // Nor from elsewhere, from a place that is not known, or where only half of the points are edge-on.
   const Kernel::Point_3 above(0, 0, 2), nowhere(0, 0, std::numeric_limits<double>::infinity());
   const Patch veil = rows_of_rays(0, 1, true);
-  CHECK(!is_veil(veil, {above}) && !is_veil(veil, {nowhere}) && !is_veil(veil, {origin[0], above}));
+  CHECK(!is_veil(veil, {above}) && !is_veil(veil, {nowhere}) && !is_veil(veil, {above, origin[0]}));
   CHECK(facts_of({veil})[0].is_veil == false);
   // A place in the planes of most points is not that of a sensor.
   Cloud alone = cloud_of({veil});
