@@ -434,7 +434,7 @@ void run(Options o, Processes& processes, Made_folders& folders)
   processes.together([&] { choose_tolerances(cloud.points, processes, o); });
   processes.together([&] { prepare_tolerances(o, cloud); });
   Outward_sides sides(o, cloud, processes, run);
-  const bool are_seen = !processes.are_many() && note_viewpoints(o, cloud);
+  const bool are_seen = !processes.are_many() && note_viewpoints(o, processes, cloud);
 
   std::optional<Shapes> shapes;
   processes.together([&] {

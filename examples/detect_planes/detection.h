@@ -69,20 +69,26 @@ inline std::vector<View> views_of(const Options& o, const Input_part& part, bool
   return views;
 }
 
-// Puts the places beside the points; returns whether there are any. A place that is given, and farther from the points
-// than they extend, stands for a side, as above a tile, and not for a sensor.
-inline bool note_viewpoints(const Options& o, Input_cloud& cloud)
+// Whether a place is no farther from the points than they extend. Otherwise it stands for a side, as above a tile, and not
+// for a sensor.
+inline bool is_of_sensor(const std::array<double, 3>& place, const Input_cloud& cloud, const Processes& processes)
+{
+  Box box = tandem_examples::box_of(cloud.points.points(), processes).box;
+  for(const Input_part& part : cloud.parts)
+    box += part.notes.box;
+  const auto away = [&](int c) { return (std::max)({box.min(c) - place[c], place[c] - box.max(c), 0.}); };
+  return std::hypot(away(0), away(1), away(2)) <= std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+// Puts the places beside the points; returns whether there are any.
+inline bool note_viewpoints(const Options& o, const Processes& processes, Input_cloud& cloud)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Box of_points = CGAL::bbox_3(cloud.points.points().begin(), cloud.points.points().end());
+  if(o.viewpoint && !is_of_sensor(*o.viewpoint, cloud, processes))
+    return false;
   bool are_any = false;
   for(const Input_part& part : cloud.parts)
     for(const View& view : views_of(o, part, false)) {
-      const Box box = part.notes.box + of_points;
-      const double extent = std::hypot(box.x_span(), box.y_span(), box.z_span());
-      const auto away = [&](int c) { return (std::max)({box.min(c) - view.from[c], view.from[c] - box.max(c), 0.}); };
-      if(o.viewpoint && std::hypot(away(0), away(1), away(2)) > extent)
-        continue;
       are_any = true;
       const auto places = cloud.points.add_property_map(viewpoint_name, Kernel::Point_3(nan, nan, nan)).first;
       for(Point_set::Index i : part_of(cloud.points, view.first, view.last))

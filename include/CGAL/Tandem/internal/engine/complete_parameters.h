@@ -124,7 +124,7 @@ Distance_estimate complete_parameters(Backend& backend, const Import& in, bool h
     p.maximum_offset = p.maximum_distance;
   if(p.minimum_region_size == 0)
     p.minimum_region_size = estimate_minimum_region_size(double(in.total.points), p.maximum_distance, [&] {
-      return (measure ? *measure : measure_cloud(backend, in)).spacing;
+      return measure ? measure->spacing : measure_cloud(backend, in).spacing;
     });
   check_parameters(p);
   return estimate;

@@ -83,7 +83,8 @@ struct Unite_in_cell {
     block.for_each_neighbor(
       cell.size(), adjacency.cloud.k, [&](std::uint32_t at) { return adjacency.cloud.row(cell.first + at); },
       [&](std::uint32_t at, std::uint32_t q) {
-        if(q - cell.first < cell.size() && !points.have_one_parent(at, q - cell.first)) // few: labels need not be read
+        // Most edges join surfels that have one parent already, whose labels need not be read.
+        if(q - cell.first < cell.size() && !points.have_one_parent(at, q - cell.first))
           adjacency(cell.first + at, q, cell,
                     [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
       });

@@ -46,7 +46,7 @@ using Change_pass = std::uint8_t;
 struct Change_passes {
   static constexpr Change_pass before = 2; // since the last assignment, or in its last two passes; 0: longer ago
   static constexpr std::uint32_t end = tuning::moves::assignment_passes;
-  static_assert(end + 2 < 256, "a pass is noted in a byte");
+  static_assert(end + 3 < 256, "a pass, and the one after the last, is noted in a byte");
 
   CGAL_TANDEM_HD static Change_pass in(std::uint32_t pass) { return Change_pass(pass + 3); }
   // Seen from a pass: in the two passes before it, or in the same one. Seen from the end, too.
@@ -80,6 +80,8 @@ struct Assignment_passes {
   std::uint32_t* label[2];      // by surfel: pass p reads table p % 2 and writes the other one
   Score score;
   Tolerance tolerance;
+
+  static_assert(tuning::moves::assignment_passes % 2 == 0, "the last pass writes the first table of labels");
 
   static constexpr std::size_t few(int) { return 64; }
   CGAL_TANDEM_HD bool is_last(std::size_t pass) const
