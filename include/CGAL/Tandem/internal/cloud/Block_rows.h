@@ -14,13 +14,13 @@
 namespace CGAL::Tandem::internal {
 
 // Some entries of a row of blocks, a bit each.
-using Block_entries = std::uint16_t;
+using Block_entries = std::uint32_t;
 
 // The blocks that have neighbors of one block, itself first. There are too many to be listed, or some belong to another
 // rank, if `size` exceeds the capacity.
 struct Block_row {
-  static constexpr std::uint32_t surfels = 64, capacity = 15;
-  static constexpr Block_entries all = 0x7fff;
+  static constexpr std::uint32_t surfels = 64, capacity = 31;
+  static constexpr Block_entries all = 0x7fffffff;
   std::uint32_t size;
   std::uint32_t block[capacity];
 
