@@ -234,6 +234,8 @@ void Engine<Backend>::finish()
 {
   Stage_timer timer(times_.finish);
   if(is_prepared_) {
+    state_.seeds = Seeds<Backend>(); // nothing grows any more
+    state_.points.border.proposal.release();
     relations_ = end_game(state_.points, state_.shapes, state_.options, progress_);
     final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   }

@@ -127,7 +127,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   find_border(points);
   t.seeds = order_seeds(points, {t.options.growth.tolerance, t.options.tight, parameters.cell_size});
   clear_labels(points);
-  t.peak_bytes = host_bytes(points.cloud, in) + 8 * points.border.surfel.size();
+  t.peak_bytes = host_bytes(points.cloud, in) + sizeof(std::uint32_t) * points.border.surfel.size();
   progress.show_rounds(0);
   return true;
 }

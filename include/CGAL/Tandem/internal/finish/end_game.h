@@ -37,7 +37,7 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
-  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts()), chosen(n);
+  Buffer_of<Backend, std::uint32_t> component(points.cloud.size_with_ghosts());
   std::vector<Component> components =
     large_components(points, options, {points.cloud.surfels(), points.label(), nullptr}, component.data());
   std::vector<char> has_id(shapes.size, 0);
@@ -49,8 +49,8 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   auto number = filled_buffer(backend, n, no_index);
   const auto named = to_buffer(backend, components);
   backend.for_each(components.size(), Number_roots{named.data(), number.data()});
-  backend.for_each(n, Take_number{points.label(), component.data(), number.data(), chosen.data()});
-  take_chosen(points, shapes, chosen.data());
+  backend.for_each(n, Take_number{points.label(), component.data(), number.data(), component.data()});
+  take_chosen(points, shapes, component.data());
 }
 
 struct Round_plane {
