@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(samples)
         auto shapes = make_table(backend, std::vector<Shape>(n));
         shapes.invalidate_moments();
         update_tables(points, shapes, tables::moments);
-        const auto got = sample_shapes(points, shapes);
+        const auto got = sample_shapes(points, shapes, Has_points{shapes.counted(), 1});
         for(std::size_t s = 0; s < n; ++s) {
           const std::string where = name + ", shape " + std::to_string(s) + " of " + std::to_string(all[s].size());
           CHECK_AT(are_equal(got.data()[s], least_of(all[s])), where);

@@ -245,13 +245,13 @@ struct Fill_sample {
   }
 };
 
-// The points of least hash of each shape. About one and a half times as many are sorted, so that few shapes get less
-// than a sample has room for.
-template <class Backend>
-Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
+// The points of least hash of each shape with is_sampled(id). About one and a half times as many are sorted, so that few
+// shapes get less than a sample has room for.
+template <class Backend, class Predicate>
+Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_sampled)
 {
   constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
-  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes, Has_points{shapes.counted(), 1}, expected);
+  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes, is_sampled, expected);
   Shape_samples<Backend> samples(shapes.size);
   points.backend.for_each(shapes.size * Shape_sample::capacity,
                           Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});

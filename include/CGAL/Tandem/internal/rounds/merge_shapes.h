@@ -200,6 +200,18 @@ struct Relabel_link {
   }
 };
 
+template <class Backend>
+struct Mark_linked {
+  const Link* link;
+  std::uint8_t* is_linked; // by shape
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    Backend::atomic_store(is_linked[link[i].first()], std::uint8_t(1));
+    Backend::atomic_store(is_linked[link[i].second()], std::uint8_t(1));
+  }
+};
+
 // Of a union, the largest shape stays, of equal ones that with the smallest id. The links then have the new ids. A pair
 // may have several links, or become a pair of one shape with itself. Returns whether there were unions.
 template <class Backend>
@@ -210,7 +222,9 @@ bool merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     return false;
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits);
-  auto samples = sample_shapes(points, shapes);
+  auto is_linked = filled_buffer(backend, shapes.size, std::uint8_t(0));
+  backend.for_each(links.size(), Mark_linked<Backend>{links.data(), is_linked.data()});
+  auto samples = sample_shapes(points, shapes, Is_marked{is_linked.data()});
   const auto unions = unite_shapes(points, shapes, Union_gain(options), samples, links);
   if(to_vector(backend, unions.total).back() == 0)
     return false;
