@@ -164,7 +164,9 @@ private:
     store8(squared_[size_], squared);
     ++size_;
     const int size = k() + 2;
+#ifndef __CUDACC__ // it warns, and a device has its own search
 #pragma GCC unroll 32
+#endif
     for(int i = 0; i < size; ++i) {
       const Float8 larger = max8(best_[i], key);
       best_[i] = min8(best_[i], key);
