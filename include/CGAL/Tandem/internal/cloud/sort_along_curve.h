@@ -56,37 +56,41 @@ constexpr unsigned inside_octant(unsigned u, unsigned v)
 // digit v is octant v of the cube in these axes. In them octants follow each other in a Gray code.
 struct Curve_automaton {
   static constexpr unsigned states = 24;
-  std::uint16_t step[states][64] = {}; // two levels: the state inside, then 6 bits of the code
-
-  constexpr Curve_automaton()
-  {
-    std::uint32_t axes[states + 1] = {076543210};
-    unsigned level[states][8] = {};
-    for(unsigned s = 0, size = 1; s < size; ++s)
-      for(unsigned octant = 0; octant < 8; ++octant) {
-        const unsigned u = axes[s] >> 3 * octant & 7u;
-        axes[size] = 0;
-        for(unsigned v = 0; v < 8; ++v)
-          axes[size] |= inside_octant(u, axes[s] >> 3 * v & 7u) << 3 * v;
-        unsigned next = 0;
-        while(axes[next] != axes[size])
-          ++next;
-        size += next == size;
-        level[s][octant] = next << 3 | (u ^ u >> 1 ^ u >> 2);
-      }
-    for(unsigned s = 0; s < states; ++s)
-      for(unsigned i = 0; i < 64; ++i) {
-        const unsigned upper = level[s][i >> 3], lower = level[upper >> 3][i & 7u];
-        step[s][i] = std::uint16_t(lower >> 3 << 6 | (upper & 7u) << 3 | (lower & 7u));
-      }
-  }
+  std::uint16_t step[states][64]; // two levels: the state inside, then 6 bits of the code
 };
+
+// A function, since nvcc leaves what a constexpr constructor has computed out of the memory of a device.
+constexpr Curve_automaton make_curve_automaton()
+{
+  constexpr unsigned states = Curve_automaton::states;
+  std::uint32_t axes[states + 1] = {076543210};
+  unsigned level[states][8] = {};
+  for(unsigned s = 0, size = 1; s < size; ++s)
+    for(unsigned octant = 0; octant < 8; ++octant) {
+      const unsigned u = axes[s] >> 3 * octant & 7u;
+      axes[size] = 0;
+      for(unsigned v = 0; v < 8; ++v)
+        axes[size] |= inside_octant(u, axes[s] >> 3 * v & 7u) << 3 * v;
+      unsigned next = 0;
+      while(axes[next] != axes[size])
+        ++next;
+      size += next == size;
+      level[s][octant] = next << 3 | (u ^ u >> 1 ^ u >> 2);
+    }
+  Curve_automaton automaton = {};
+  for(unsigned s = 0; s < states; ++s)
+    for(unsigned i = 0; i < 64; ++i) {
+      const unsigned upper = level[s][i >> 3], lower = level[upper >> 3][i & 7u];
+      automaton.step[s][i] = std::uint16_t(lower >> 3 << 6 | (upper & 7u) << 3 | (lower & 7u));
+    }
+  return automaton;
+}
 
 // The position along the curve; all coordinates are below 2^21. The first step is of one level, so it begins one level
 // above. In the lowest octant the axes are exchanged in turn, and three levels of it leave them as they are.
 CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
-  static constexpr Curve_automaton automaton;
+  static constexpr Curve_automaton automaton = make_curve_automaton();
   const std::uint64_t octants = spread_bits(x) << 2 | spread_bits(y) << 1 | spread_bits(z);
   unsigned state = automaton.step[0][0] >> 6;
   std::uint64_t code = 0;
