@@ -227,8 +227,7 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 {
   if(code == no_normal)
     return {0, 0, 0};
-  const std::int32_t u = std::int16_t(code & 0xffffu);
-  const std::int32_t v = std::int16_t(code >> 16);
+  const std::int32_t u = std::int32_t(code << 16) >> 16, v = std::int32_t(code) >> 16;
   const std::int32_t au = u < 0 ? -u : u;
   const std::int32_t av = v < 0 ? -v : v;
   const std::int32_t w = 32767 - au - av;
@@ -237,13 +236,13 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 }
 
 // Whether the codes are so close that the directions make less than a right angle, which needs no decoding. If both
-// components of a code change by s in all, no component of the direction changes by more, and its length is at least
-// 32767 / sqrt(3). A null vector makes none.
+// components of a code change by s in all, the square of the change of the direction is at most 2 s^2: less than the sum
+// of both squared lengths, each at least 32767^2 / 3. Says nothing of no_normal.
 CGAL_TANDEM_HD inline bool have_close_codes(std::uint32_t code, std::uint32_t other)
 {
   const std::int32_t u = std::int16_t(code & 0xffffu) - std::int16_t(other & 0xffffu);
   const std::int32_t v = std::int16_t(code >> 16) - std::int16_t(other >> 16);
-  return (u < 0 ? -u : u) + (v < 0 ? -v : v) < 15000;
+  return (u < 0 ? -u : u) + (v < 0 ? -v : v) < 18900;
 }
 
 // Of directions: at most 2^30.

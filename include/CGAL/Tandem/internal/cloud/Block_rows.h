@@ -77,6 +77,7 @@ private:
   {
     Block_entries entries = 1;
     bool is_any = i < last;
+    std::uint64_t last_other = i / Block_row::surfels; // the next neighbor is mostly in the same block
     const std::uint32_t* const neighbor = cloud.row(is_any ? i : 0);
     for(int j = 0; j < cloud.k; ++j) {
       is_any = is_any && neighbor[j] != no_index;
@@ -84,7 +85,7 @@ private:
         break;
       const bool is_ghost = is_any && neighbor[j] >= cloud.size;
       const std::uint64_t b = is_any ? neighbor[j] / Block_row::surfels : i / Block_row::surfels;
-      const bool is_other = is_ghost || b != i / Block_row::surfels;
+      const bool is_other = is_ghost || (b != i / Block_row::surfels && b != last_other);
       if(Lane_group::count(is_other) == 0)
         continue;
       if(Lane_group::count(is_ghost) > 0)
@@ -95,6 +96,7 @@ private:
           Lane_group::single([&] { r.add(std::uint32_t(other)); });
       });
       Lane_group::sync();
+      last_other = is_other ? b : last_other;
       if(is_other && entry == 0)
         entry = r.size > Block_row::capacity ? Block_row::all : r.entry(std::uint32_t(b));
       entries = Block_entries(entries | entry);

@@ -39,54 +39,67 @@ CGAL_TANDEM_HD inline std::uint64_t spread_bits(std::uint32_t v)
   return s;
 }
 
-// The number whose bit i is the parity of the bits of v above i.
-CGAL_TANDEM_HD inline std::uint32_t parity_above(std::uint32_t v)
+// Octants are numbered by their bits x y z. This is octant v inside octant u, both in the axes around u, in the axes of
+// the curve inside u: a reflection and up to two swaps of axes in Skilling's construction (2004), and a reflection where
+// the Gray code of u is odd.
+constexpr unsigned inside_octant(unsigned u, unsigned v)
 {
-  v >>= 1;
-  v ^= v >> 1;
-  v ^= v >> 2;
-  v ^= v >> 4;
-  v ^= v >> 8;
-  v ^= v >> 16;
-  return v;
+  unsigned x = v >> 2 ^ u >> 2, y = v >> 1 & 1u, z = v & 1u;
+  const unsigned x_of_curve = (u >> 1 & 1u) != 0 ? x ^ 1u : y;
+  y = (u >> 1 & 1u) != 0 ? y : x;
+  x = (u & 1u) != 0 ? x_of_curve ^ 1u : z;
+  z = (u & 1u) != 0 ? z : x_of_curve;
+  return (x ^ u >> 2 ^ (u >> 1 & 1u) ^ (u & 1u)) << 2 | y << 1 | z;
 }
 
-// One level of Skilling's construction (2004), from the top level down. The lower bits are taken to the frame of
-// their octant: a reflection and up to two swaps of axes. There are no branches and no tables, so loops over
-// points vectorize.
-CGAL_TANDEM_HD inline void enter_octant(std::uint32_t& x, std::uint32_t& y, std::uint32_t& z, int bit)
+// The curve as an automaton. A state is what the axes of the curve are inside an octant: eight octal digits, of which
+// digit v is octant v of the cube in these axes. In them octants follow each other in a Gray code.
+struct Curve_automaton {
+  static constexpr unsigned states = 24;
+  std::uint16_t step[states][64]; // two levels: the state inside, then 6 bits of the code
+};
+
+// A function, since nvcc leaves what a constexpr constructor has computed out of the memory of a device.
+constexpr Curve_automaton make_curve_automaton()
 {
-  const std::uint32_t below = (1u << bit) - 1;
-  x ^= below & (0u - (x >> bit & 1u));
-  const std::uint32_t upper_y = below & (0u - (y >> bit & 1u));
-  const std::uint32_t xy = (x ^ y) & (below ^ upper_y);
-  x ^= xy ^ upper_y;
-  y ^= xy;
-  const std::uint32_t upper_z = below & (0u - (z >> bit & 1u));
-  const std::uint32_t xz = (x ^ z) & (below ^ upper_z);
-  x ^= xz ^ upper_z;
-  z ^= xz;
+  constexpr unsigned states = Curve_automaton::states;
+  std::uint32_t axes[states + 1] = {076543210};
+  unsigned level[states][8] = {};
+  for(unsigned s = 0, size = 1; s < size; ++s)
+    for(unsigned octant = 0; octant < 8; ++octant) {
+      const unsigned u = axes[s] >> 3 * octant & 7u;
+      axes[size] = 0;
+      for(unsigned v = 0; v < 8; ++v)
+        axes[size] |= inside_octant(u, axes[s] >> 3 * v & 7u) << 3 * v;
+      unsigned next = 0;
+      while(axes[next] != axes[size])
+        ++next;
+      size += next == size;
+      level[s][octant] = next << 3 | (u ^ u >> 1 ^ u >> 2);
+    }
+  Curve_automaton automaton = {};
+  for(unsigned s = 0; s < states; ++s)
+    for(unsigned i = 0; i < 64; ++i) {
+      const unsigned upper = level[s][i >> 3], lower = level[upper >> 3][i & 7u];
+      automaton.step[s][i] = std::uint16_t(lower >> 3 << 6 | (upper & 7u) << 3 | (lower & 7u));
+    }
+  return automaton;
 }
 
-// The code from the transformed coordinates. Octants of a level follow each other in a Gray code, which is undone here.
-CGAL_TANDEM_HD inline std::uint64_t interleave_octants(std::uint32_t x, std::uint32_t y, std::uint32_t z)
-{
-  y ^= x;
-  z ^= y;
-  const std::uint32_t flip = parity_above(z);
-  return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
-}
-
-// The position along the curve; all coordinates are below 2^21. In the lowest octant the axes are exchanged in turn, so
-// three levels of it leave them as they are.
+// The position along the curve; all coordinates are below 2^21. The first step is of one level, so it begins one level
+// above. In the lowest octant the axes are exchanged in turn, and three levels of it leave them as they are.
 CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
-  int bit = curve_bits - 1;
-  while(bit > 2 && (x | y | z) >> (bit - 2) == 0)
-    bit -= 3;
-  for(; bit > 0; --bit)
-    enter_octant(x, y, z, bit);
-  return interleave_octants(x, y, z);
+  static constexpr Curve_automaton automaton = make_curve_automaton();
+  const std::uint64_t octants = spread_bits(x) << 2 | spread_bits(y) << 1 | spread_bits(z);
+  unsigned state = automaton.step[0][0] >> 6;
+  std::uint64_t code = 0;
+  for(int shift = 3 * (curve_bits - 1); shift >= 0; shift -= 6) {
+    const unsigned step = automaton.step[state][octants >> shift & 63u];
+    code = code << 6 | (step & 63u);
+    state = step >> 6;
+  }
+  return code;
 }
 
 // The face that a normal points to, of the six of a cube; 0 without a normal.

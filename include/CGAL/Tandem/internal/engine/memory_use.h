@@ -24,7 +24,7 @@ std::size_t host_bytes(const Sorted_cloud<Backend>& cloud, const Import& in)
 {
   constexpr std::size_t labels = sizeof(std::uint32_t) + 1; // and states
   constexpr std::size_t end_game = 5 * sizeof(std::uint32_t); // components, while assignments remember theirs
-  constexpr std::size_t neighborhoods = 96; // of estimate_normals()
+  constexpr std::size_t neighborhoods = 100; // of estimate_normals()
   const std::size_t level = in.has_tolerances ? 1 : 0;
   return in.size() * (in.value_bytes() + 2 * sizeof(std::uint32_t) + level + (cloud.has_surfels() ? member_bytes : 0)) +
          cloud.number_of_surfels() *
@@ -40,7 +40,7 @@ inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
   const std::size_t cells = 4 * cell / p.cell_size; // many are far from full
   constexpr std::size_t levels = 2;                 // of tolerances, whether there are any or not
   return surfel_bytes(p.k_neighbors) + levels + sizeof(std::uint32_t) + (p.surfel_size > 0 ? member_bytes : 0) +
-         (has_normals ? 34 : 108) + cells + 1;
+         (has_normals ? 34 : 112) + cells + 1;
 }
 
 } // namespace CGAL::Tandem::internal

@@ -37,7 +37,7 @@ struct Mark_border {
       const std::uint32_t* row = cloud.row(cell.first + at);
       bool has_other = false;
       for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-        has_other |= row[j] < cell.first || row[j] >= cell.last;
+        has_other |= row[j] - cell.first >= cell.size();
       is_border[cell.first + at] = has_other;
     });
   }

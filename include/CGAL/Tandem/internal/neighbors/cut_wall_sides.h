@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  const Grid_point& point_;
+  Grid_point point_;
   Int_vector normal_;
   std::int64_t squared_length_;
 };

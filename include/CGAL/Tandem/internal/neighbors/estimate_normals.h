@@ -58,17 +58,14 @@ struct Take_neighbor_plane {
     const Candidate& c = w.candidate[own];
     if(!(c.error2 > excellent_error2))
       return;
-    float minimum = c.error2 < no_plane ? propagation_cost_fraction * cost(c) : no_plane;
+    float minimum = propagation_cost_fraction * c.cost;
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
     for(int j = 0; j < w.k && row[j] != no_index; ++j) {
       const std::uint32_t s = source[row[j]];
-      if(!(w.candidate[s].error2 < minimum)) // error2 <= cost, and costs no division
-        continue;
-      const float candidate_cost = cost(w.candidate[s]);
-      if(candidate_cost < minimum && is_acceptable(s, p)) {
+      if(w.candidate[s].cost < minimum && is_acceptable(s, p)) {
         next[i] = s;
-        minimum = candidate_cost;
+        minimum = w.candidate[s].cost;
       }
     }
   }
@@ -192,7 +189,7 @@ private:
 
 // Fills point[i].normal, unoriented; no_normal where all neighbors are equal or collinear. `cloud` needs points and
 // neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_steps is
-// epsilon: parts of it define what is free of noise, and what is no clutter. Temporary memory: 100
+// epsilon: parts of it define what is free of noise, and what is no clutter. Temporary memory: 104
 // bytes a surfel.
 template <class Backend>
 void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_steps,

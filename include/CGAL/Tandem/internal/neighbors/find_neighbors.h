@@ -94,6 +94,7 @@ public:
   {
     if(size_ + int(bucket_size) > capacity)
       reduce();
+    const int before = size_;
     const Point_bucket& p = bucket_[bucket];
     float x[8], y[8], z[8];
     const Float8 x8 = difference8(p.x, box_.low[0]);
@@ -109,7 +110,8 @@ public:
       if(less_equal8(squared, reach_) != 0)
         record(squared, bucket * bucket_size + std::uint32_t(i));
     }
-    update_limit();
+    if(size_ > before)
+      update_limit();
   }
 
   // Writes the neighbors: k positions a query, ascending by (squared distance, position). Certain orders come from the
@@ -157,13 +159,19 @@ private:
   // distances, because a tag would change a key near 0 by more than the margin.
   void record(const Float8& squared, std::uint32_t index)
   {
-    const Float8 key = tagged8(squared + fill8(1), std::uint32_t(size_), tag_mask);
+    Float8 key = tagged8(squared + fill8(1), std::uint32_t(size_), tag_mask);
     index_[size_] = index;
     store8(squared_[size_], squared);
     ++size_;
-    for(int i = k() + 1; i > 0; --i)
-      best_[i] = max8(best_[i - 1], min8(best_[i], key));
-    best_[0] = min8(best_[0], key);
+    const int size = k() + 2;
+#ifndef __CUDACC__ // it warns, and a device has its own search
+#pragma GCC unroll 32
+#endif
+    for(int i = 0; i < size; ++i) {
+      const Float8 larger = max8(best_[i], key);
+      best_[i] = min8(best_[i], key);
+      key = larger;
+    }
     update_reach();
   }
 
@@ -191,10 +199,8 @@ private:
   void write_by_key(int query, std::uint32_t* out) const
   {
     for(int i = 0; i < k(); ++i) {
-      float key[8];
-      store8(key, best_[i + 1]);
       std::uint32_t bits;
-      std::memcpy(&bits, &key[query], sizeof bits);
+      std::memcpy(&bits, reinterpret_cast<const float*>(&best_[i + 1]) + query, sizeof bits);
       out[i] = index_[bits & tag_mask];
     }
   }
@@ -308,12 +314,16 @@ private:
     int level;
   };
 
-  // The buckets before and after on the curve give a first bound, without a descent in the tree.
+  // The buckets before and after on the curve give a first bound, without a descent in the tree. The nearest come first,
+  // as they lower the bound for the others.
   void scan_window(std::uint32_t bucket, int first, int last)
   {
     found_.start(bucket, first, last);
-    for(std::uint32_t i = window_.first; i < window_.last; ++i)
-      found_.scan(i, tree_.points_in_bucket(i));
+    found_.scan(bucket, tree_.points_in_bucket(bucket));
+    for(std::uint32_t i = 1; i <= window_radius_; ++i)
+      for(const std::uint32_t other : {bucket - i, bucket + i})
+        if(window_.first <= other && other < window_.last)
+          found_.scan(other, tree_.points_in_bucket(other));
   }
 
   // Depth first, smallest positions first: of equally near points those are the neighbors. Nearest first would not be
@@ -358,10 +368,11 @@ private:
   int push_children(const Node& parent, Node* stack, int size) const
   {
     float squared[8];
-    const unsigned near = near_children(parent, squared);
-    for(int child = int(branching) - 1; child >= 0; --child)
-      if(near >> child & 1u)
-        stack[size++] = {squared[child], parent.index * branching + std::uint32_t(child), parent.level - 1};
+    for(unsigned near = near_children(parent, squared); near != 0;) {
+      const unsigned child = 31u - unsigned(__builtin_clz(near));
+      near ^= 1u << child;
+      stack[size++] = {squared[child], parent.index * branching + child, parent.level - 1};
+    }
     return size;
   }
 

@@ -246,6 +246,7 @@ struct Candidate {
   float smallest;       // variance across the plane, at least that of a flat one (steps^2)
   float middle;         // least variance along it (steps^2)
   float error2;         // expected squared angular error from noise (radians^2), or no_plane
+  float cost;           // error2 and a penalty for being thick, as across an edge; or no_plane
   std::uint32_t normal; // octahedral
 };
 
@@ -317,13 +318,6 @@ CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float 
   return encode_normal({n.x, n.y, n.z});
 }
 
-// The cost by which candidates are compared: expected error from noise, and a penalty for being thick, as across an
-// edge. Here and below products are exact, so that no compiler can contract a sum differently.
-CGAL_TANDEM_HD inline float cost(const Candidate& c)
-{
-  return to_float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
-}
-
 // Replaces the candidate of surfel i by the plane of h if that costs less. `points` > 3 is the number of independent
 // ones; a plane fitted to them takes three degrees of freedom from the variance across it.
 CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const Neighborhood& h, float points)
@@ -333,11 +327,11 @@ CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const N
     return;
   const float unbiased = t.smallest * (points / (points - 3));
   const float flat = w.flat(i), smallest = unbiased > flat ? unbiased : flat;
-  Candidate c = {h.mean, smallest, t.middle, smallest / t.middle / points, no_normal};
-  if(w.candidate[i].error2 < no_plane && !(cost(c) < cost(w.candidate[i])))
-    return;
-  c.normal = encoded_normal(h, t.smallest);
-  w.candidate[i] = c;
+  const float ratio = smallest / t.middle, error2 = ratio / points;
+  // Here and below products are exact, so that no compiler can contract a sum differently.
+  const float cost = to_float(error2 + exact_product(thickness_weight, ratio));
+  if(cost < w.candidate[i].cost)
+    w.candidate[i] = {h.mean, smallest, t.middle, error2, cost, encoded_normal(h, t.smallest)};
 }
 
 // Sets current[i] to the nearest neighbors, and the first candidate of surfel i.
@@ -346,7 +340,7 @@ struct Start {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_normal};
+    w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_plane, no_normal};
     w.current[i] = nearest_neighborhood(w.cloud, std::uint32_t(i), w.k);
     consider(w, std::uint32_t(i), w.current[i], effective_surfels(w.k, 1));
   }
