@@ -119,18 +119,33 @@ public:
     return result;
   }
 
+  // The same where the caller knows how many are kept, so that a device does not wait.
+  template <class F>
+  auto compact(std::size_t n, F is_kept, std::size_t)
+  {
+    return compact(n, is_kept);
+  }
+
   // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what
-  // has() reads.
+  // has() reads. About `grain` items are worth a thread.
   template <class T, class F>
-  auto collect(std::size_t n, F f)
+  auto collect(std::size_t n, F f, std::size_t grain = 1024)
   {
     const auto found = compact(n, [&](std::uint32_t i) { return f.has(i); });
     typename Backend::template Buffer<T> items(found.size());
-    self().for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
+    self().for_each_piece(found.size(), grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t k = first; k < last; ++k)
         items[k] = f.take(found[k]);
     });
     return items;
+  }
+
+  // The same for the host.
+  template <class T, class F>
+  std::vector<T> collect_on_host(std::size_t n, F f, std::size_t grain = 1024)
+  {
+    const auto items = collect<T>(n, f, grain);
+    return std::vector<T>(items.begin(), items.end());
   }
 
   // N sums, for the host, of what f(i, sums) adds for i in [0, n). Each piece has sums of its own.

@@ -261,9 +261,8 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, const St
   backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
   borders.sum_sizes(n, size.data());
-  const auto own = backend.template collect<Component>(
-    n, Take_large{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)});
-  std::vector<Component> components = borders.join_large(to_vector(backend, own));
+  std::vector<Component> components = borders.join_large(backend.template collect_on_host<Component>(
+    n, Take_large{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)}));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;

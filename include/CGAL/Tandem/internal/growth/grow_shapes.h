@@ -319,6 +319,7 @@ struct Take_growth {
   }
 };
 
+// The points that got a shape, the live shapes before, and those that have started.
 struct Count_grown {
   const Shape* shape;
   const Shared_moments* delta;
@@ -328,6 +329,7 @@ struct Count_grown {
   {
     sum[0] += delta[id].count;
     sum[1] += id < shapes && shape[id].is_live();
+    sum[2] += id >= shapes && is_any(delta[id]);
   }
 };
 
@@ -376,14 +378,19 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
   sum_deltas(backend, points.ranks, shapes);
-  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new});
-  if constexpr(Ranks<Backend>::are_many)
-    ids = join_started(backend, points.ranks, shapes, ids, started);
-  Shared_moments* const delta = shapes.delta.data();
-  const auto sums = backend.template sum<2>(ids, Count_grown{shapes.counted(), delta, first_new});
+  const auto count = [&] {
+    return backend.template sum<3>(ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new});
+  };
+  auto sums = count();
   const std::size_t live = std::size_t(sums[1]);
+  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new}, std::size_t(sums[2]));
+  if constexpr(Ranks<Backend>::are_many) {
+    ids = join_started(backend, points.ranks, shapes, ids, started);
+    sums = count();
+  }
+  Shared_moments* const delta = shapes.delta.data();
   const bool is_sparse = 2 * live < first_new;
-  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}) : Ids();
+  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}, live) : Ids();
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
   Buffer_of<Backend, Shape> shape;
   Buffer_of<Backend, Plane> plane;

@@ -102,14 +102,11 @@ struct Merge_runs {
 
 // --- Which items are kept, of few by two loops of the queue, of many by CUB.
 
-// The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
+// The i in [0, n) with is_kept(i), ascending, and their number.
 template <class F>
-std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
+void select_items(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
 {
   constexpr std::size_t items_of_queue = 65536;
-  if(n == 0)
-    return 0;
-  auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
   if(n <= items_of_queue) {
     Device_buffer<std::uint32_t> bits((n + warp_size - 1) / warp_size);
     queue_loop(n, n, Test_loop<F>{is_kept, bits.data()});
@@ -120,6 +117,16 @@ std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
       return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
     });
   }
+}
+
+// Waits for their number, which the device writes to pinned memory.
+template <class F>
+std::size_t number_selected(std::size_t n, F is_kept, std::uint32_t* kept)
+{
+  if(n == 0)
+    return 0;
+  auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
+  select_items(n, is_kept, kept, size);
   synchronize();
   return std::size_t(*size);
 }
@@ -240,7 +247,7 @@ public:
   {
     constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
-    const std::size_t size = select_items(n, is_kept, kept.data());
+    const std::size_t size = number_selected(n, is_kept, kept.data());
     if(n < large) {
       kept.shrink(size);
       return kept;
@@ -252,13 +259,59 @@ public:
     return result;
   }
 
+  // Does not wait.
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size)
+  {
+    Buffer<std::uint32_t> kept(size);
+    Buffer<std::int64_t> found(1);
+    if(size > 0)
+      select_items(n, is_kept, kept.data(), found.data());
+    return kept;
+  }
+
   template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f)
+  Buffer<T> collect(std::size_t n, F f, std::size_t grain = 4096)
   {
     Buffer<std::uint32_t> found(n);
-    Buffer<T> items(select_items(n, Has_item<F>{f}, found.data()));
-    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
+    Buffer<T> items(number_selected(n, Has_item<F>{f}, found.data()));
+    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()}, grain);
     return items;
+  }
+
+  // Waits once: the first items, whose number is bounded, are taken and copied before the host knows how many there are.
+  template <class T, class F>
+  std::vector<T> collect_on_host(std::size_t n, F f, std::size_t grain = 4096)
+  {
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0, "copied in words");
+    if(n == 0)
+      return {};
+    const std::size_t first = (std::min)(n, (std::size_t(256) << 10) / sizeof(T));
+    char* const memory = Staging::of_thread().take(sizeof(std::int64_t) + first * sizeof(T));
+    auto* const size = reinterpret_cast<std::int64_t*>(memory);
+    char* const copy = memory + sizeof(std::int64_t);
+    Buffer<std::uint32_t> found(n);
+    Buffer<T> items(first);
+    Buffer<std::int64_t> number(1);
+    select_items(n, Has_item<F>{f}, found.data(), number.data());
+    for_each(first, Take_first<T, F>{{f, found.data(), items.data()}, number.data()}, grain);
+    const std::size_t words = sizeof(T) / sizeof(std::uint32_t);
+    queue_loop(
+      first * words, first * words,
+      Copy_first_loop{{reinterpret_cast<const std::uint32_t*>(items.data()), reinterpret_cast<std::uint32_t*>(copy)},
+                      number.data(),
+                      words,
+                      size});
+    synchronize();
+    const std::size_t all = std::size_t(*size);
+    std::vector<T> result(all);
+    std::memcpy(static_cast<void*>(result.data()), copy, (std::min)(all, first) * sizeof(T));
+    if(all > first) {
+      items.reset(all - first);
+      for_each(all - first, Take_item<T, F>{f, found.data() + first, items.data()}, grain);
+      to_host(items.data(), all - first, result.data() + first);
+    }
+    return result;
   }
 
   // Each block or warp writes its sums to pinned memory.

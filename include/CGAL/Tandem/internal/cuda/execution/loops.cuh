@@ -210,6 +210,23 @@ struct Copy_loop {
   }
 };
 
+// Of the first items of which only the device knows how many there are, each of so many words. The number goes to memory
+// of the host, too.
+struct Copy_first_loop {
+  Copy_loop copy;
+  const std::int64_t* number;
+  std::size_t words;
+  std::int64_t* size;
+
+  __device__ void operator()(std::uint32_t n, Loop_lane lane) const
+  {
+    const std::size_t all = std::size_t(*number) * words;
+    copy(all < n ? std::uint32_t(all) : n, lane);
+    if(lane.number == 0)
+      *size = *number;
+  }
+};
+
 // --- Their queue.
 
 // A loop of n items, with work for so many lanes.
