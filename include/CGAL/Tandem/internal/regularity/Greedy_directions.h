@@ -64,6 +64,7 @@ public:
   // Groups of these shapes with their directions. Those of given directions may be empty.
   std::vector<Direction_group> operator()(const std::vector<int>& active)
   {
+    groups_.reserve(options_.fixed_directions.size() + active.size());
     for(const Vector& d : options_.fixed_directions)
       groups_.push_back(given_direction_group(d));
     for(int i : active)
