@@ -102,11 +102,13 @@ struct Merge_runs {
 
 // --- Which items are kept, of few by two loops of the queue, of many by CUB.
 
+// Loops of more items are launched at once: they are worth it.
+constexpr std::size_t items_of_queue = 65536;
+
 // The i in [0, n) with is_kept(i), ascending, and their number.
 template <class F>
 void select_items(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
 {
-  constexpr std::size_t items_of_queue = 65536;
   if(n <= items_of_queue) {
     Device_buffer<std::uint32_t> bits((n + warp_size - 1) / warp_size);
     queue_loop(n, n, Test_loop<F>{is_kept, bits.data()});
@@ -321,7 +323,7 @@ public:
     std::array<std::int64_t, N> total = {};
     if(n == 0)
       return total;
-    const bool is_queued = n <= items_of_queue;
+    const bool is_queued = n <= items_of_sum;
     const std::size_t parts =
       is_queued ? (std::min)((n + warp_size - 1) / warp_size, maximum_loop_blocks * item_lanes / warp_size)
                 : (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
@@ -428,8 +430,8 @@ private:
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.
   static constexpr std::size_t shared_bytes = 47 << 10;
-  // Loops of more items, or copies of more bytes, are launched at once: they are worth it.
-  static constexpr std::size_t grain_of_queue = 32, items_of_queue = 16384, long_items_of_queue = 4096,
+  // Loops of more items than these, or copies of more bytes, are not queued.
+  static constexpr std::size_t grain_of_queue = 32, long_items_of_queue = 4096, items_of_sum = 16384,
                                bytes_of_queue = std::size_t(64) << 10;
   // Bounds the memory of scratches that do not fit there.
   static constexpr std::size_t blocks_in_turns = 512;

@@ -109,7 +109,7 @@ void launch_loops_of_size(const unsigned char* loops, std::size_t bytes, unsigne
     cudaLaunchCooperativeKernel(run_loops<Bytes>, dim3(blocks), dim3(item_lanes), arguments, 0, cudaStreamPerThread));
 }
 
-constexpr std::size_t maximum_loop_blocks = 64;
+constexpr std::size_t maximum_loop_blocks = 128;
 
 inline void launch_loops(const unsigned char* loops, std::size_t bytes, std::size_t lanes)
 {
