@@ -58,7 +58,7 @@ struct Cloud_view {
 
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 
-  // f(q, table[q]) for the neighbors q of surfel i, in their order. A device waits for memory once for several of them.
+  // f(table[q]) for the neighbors q of surfel i, in their order. A device waits for memory once for several of them.
   template <class T, class F>
   CGAL_TANDEM_HD void for_each_neighbor(std::uint32_t i, const T* table, F f) const
   {
@@ -78,11 +78,11 @@ struct Cloud_view {
 #pragma unroll
       for(int j = 0; j < together; ++j)
         if((is_any = is_any && q[j] != no_index))
-          f(q[j], item[j]);
+          f(item[j]);
     }
 #else
     for(int j = 0; j < k && neighbors[j] != no_index; ++j)
-      f(neighbors[j], table[neighbors[j]]);
+      f(table[neighbors[j]]);
 #endif
   }
 

@@ -62,10 +62,10 @@ private:
     const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
     constexpr tuning::Ratio free_link = tuning::score::free_link;
     std::int64_t result = cloud.k * weight(i, s);
-    cloud.for_each_neighbor(i, label, [&](std::uint32_t q, std::uint32_t t) {
-      if(t != s && !is_near(plane[s], cloud.point[q], distance))
-        result -= free_link.of(free_weight(q));
-    });
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(label[row[j]] != s && !is_near(plane[s], cloud.point[row[j]], distance))
+        result -= free_link.of(free_weight(row[j]));
     return result;
   }
 

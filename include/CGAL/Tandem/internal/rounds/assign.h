@@ -229,7 +229,7 @@ private:
     std::int64_t links = 0;  // to the own one
     int n = 0;
     const std::uint32_t own = labels[i];
-    cloud.for_each_neighbor(i, labels, [&](std::uint32_t, std::uint32_t t) {
+    cloud.for_each_neighbor(i, labels, [&](std::uint32_t t) {
       links += t == own;
       other[n] = t; // kept if it is another shape; no branches, which could not be predicted
       n += int(t < first_mark) & int(t != own);

@@ -191,12 +191,12 @@ struct Smooth_parts {
     if(view.candidate(i) != no_index) {
       std::uint64_t second = 0; // neighbors in the second part, by bytes
       unsigned all = 0;
-      view.cloud.for_each_neighbor(i, view.label, [&](std::uint32_t q, std::uint32_t t) {
-        if(t == view.label[i]) {
-          second += bytes_of_bits(parts[q]);
+      const std::uint32_t* row = view.cloud.row(i);
+      for(int j = 0; j < view.cloud.k && row[j] != no_index; ++j)
+        if(view.label[row[j]] == view.label[i]) {
+          second += bytes_of_bits(parts[row[j]]);
           ++all;
         }
-      });
       for(unsigned t = 0; t < Split_trials::starts; ++t) {
         const unsigned of_second = unsigned(second >> 8 * t & 255u);
         if(2 * of_second != all)
@@ -232,10 +232,10 @@ private:
     const Cloud_view& cloud = view.cloud;
     const std::int64_t points = cloud.surfels.points(i).size(), before = view.weight(view.plane[view.label[i]], i);
     std::uint64_t cut = 0; // links, by bytes
-    cloud.for_each_neighbor(i, view.label, [&](std::uint32_t q, std::uint32_t t) {
-      if(t == view.label[i])
-        cut += bytes_of_bits(std::uint8_t(parts[i] ^ parts[q]));
-    });
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(view.label[row[j]] == view.label[i])
+        cut += bytes_of_bits(std::uint8_t(parts[i] ^ parts[row[j]]));
     for(std::uint32_t t = 0; t < Split_trials::starts; ++t) {
       if(!view.is_left(run.candidate, t))
         continue;

@@ -96,7 +96,7 @@ private:
     const std::uint32_t points = cloud.surfels.edge_weight(i);
     bool all_same = true;
     std::uint32_t last = s, edges = 0; // in a row to neighbors of shape `last`
-    cloud.for_each_neighbor(i, label, [&](std::uint32_t, std::uint32_t t) {
+    cloud.for_each_neighbor(i, label, [&](std::uint32_t t) {
       all_same = all_same && t == s;
       if(t != last) {
         count(block, scratch, i, last, edges);
