@@ -46,18 +46,21 @@ BOOST_AUTO_TEST_CASE(small_faces)
 // A plane lies in the middle of all points of its shapes; without any it stays.
 BOOST_AUTO_TEST_CASE(center_of_planes)
 {
-  Relations r;
+  Shape_relations relations;
+  Relations& r = relations.relations;
   const Vector up = {0, 0, 1};
   r.planes = {{up, 10}, {up, 30}, {up, 40}};
   std::vector<Shape_summary> shapes;
   for(const auto& [plane, points, z] : {std::make_tuple(0, 100., 11.), std::make_tuple(0, 300., 7.),
                                         std::make_tuple(0, 0., 1e6), std::make_tuple(1, 0., 5.)}) {
     r.plane_of.push_back(plane);
+    relations.id.push_back(std::uint32_t(shapes.size()));
     shapes.push_back({});
+    shapes.back().id = relations.id.back();
     shapes.back().fit.scatter.count = points;
     shapes.back().fit.scatter.centroid = {5, 6, z};
   }
-  center_planes(shapes, r);
+  center_planes(shapes, relations);
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
 }
 

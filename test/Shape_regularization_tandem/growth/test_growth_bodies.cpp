@@ -182,7 +182,16 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
   shapes.steps = filled_buffer(backend, room, std::uint16_t(999));
   shapes.is_restarted = filled_buffer(backend, room, std::uint8_t(1));
   shapes.delta = to_buffer(backend, delta);
-  check_equal(take_growth(points, shapes, ids), new_points, where + ": new points");
+  const auto untried_cells = filled_buffer(backend, 1, std::uint32_t(7));
+  const Growth_counts counts = take_growth(points, shapes, ids, 2, untried_cells.data());
+  std::int64_t large_points = 0;
+  for(std::uint32_t id = 0; id < ids; ++id) {
+    const std::int64_t n = delta[id].count + (id < size ? before[id].moments.count : 0);
+    large_points += n >= 2 ? n : 0;
+  }
+  check_equal(counts.points, new_points, where + ": new points");
+  check_equal(counts.large_points, std::size_t(large_points), where + ": points of large shapes");
+  check_equal(counts.untried_cells, std::size_t(7), where + ": untried cells");
   std::vector<std::uint32_t> old, new_id(ids, no_index); // ids before, by new id, and the other way round
   for(std::uint32_t id = 0; id < ids; ++id)
     if(id < size ? is_live(id) || !is_sparse : is_any(delta[id])) {

@@ -154,7 +154,7 @@ void check_stage(const std::string& name, const Stage& stage)
 
 BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
-  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
+  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options, true); });
   check_stage("dropping", [](State& t, Link_buffer&) {
     drop_shapes(t.points, t.shapes, [](const Shape& s, std::size_t) { return s.moments.count < 200; });
   });

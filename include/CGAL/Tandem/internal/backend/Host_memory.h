@@ -94,10 +94,10 @@ public:
     return items;
   }
 
-  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. Each piece is kept at its
-  // beginning, then moved to its place.
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. A caller who knows how many
+  // are kept says so, as a device does not wait then. Each piece is kept at its beginning, then moved to its place.
   template <class F>
-  auto compact(std::size_t n, F is_kept)
+  auto compact(std::size_t n, F is_kept, std::size_t = 0)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
@@ -120,17 +120,25 @@ public:
   }
 
   // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what
-  // has() reads.
+  // has() reads. About `grain` items are worth a thread.
   template <class T, class F>
-  auto collect(std::size_t n, F f)
+  auto collect(std::size_t n, F f, std::size_t grain = 1024)
   {
     const auto found = compact(n, [&](std::uint32_t i) { return f.has(i); });
     typename Backend::template Buffer<T> items(found.size());
-    self().for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
+    self().for_each_piece(found.size(), grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t k = first; k < last; ++k)
         items[k] = f.take(found[k]);
     });
     return items;
+  }
+
+  // The same for the host.
+  template <class T, class F>
+  std::vector<T> collect_on_host(std::size_t n, F f, std::size_t grain = 1024)
+  {
+    const auto items = collect<T>(n, f, grain);
+    return std::vector<T>(items.begin(), items.end());
   }
 
   // N sums, for the host, of what f(i, sums) adds for i in [0, n). Each piece has sums of its own.

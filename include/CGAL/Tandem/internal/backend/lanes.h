@@ -68,11 +68,21 @@ public:
     sync();
   }
 
+  // A bit for each lane, set where it is true.
+  CGAL_TANDEM_HD static std::uint32_t bits(bool is_set)
+  {
+#ifdef __CUDA_ARCH__
+    return __ballot_sync(0xffffffffu, is_set);
+#else
+    return is_set;
+#endif
+  }
+
   // The number of lanes for which it is true.
   CGAL_TANDEM_HD static std::uint32_t count(bool is_counted)
   {
 #ifdef __CUDA_ARCH__
-    return std::uint32_t(__popc(__ballot_sync(0xffffffffu, is_counted)));
+    return std::uint32_t(__popc(bits(is_counted)));
 #else
     return is_counted;
 #endif

@@ -58,6 +58,34 @@ struct Cloud_view {
 
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 
+  // f(table[q]) for the neighbors q of surfel i, in their order. A device waits for memory once for several of them.
+  template <class T, class F>
+  CGAL_TANDEM_HD void for_each_neighbor(std::uint32_t i, const T* table, F f) const
+  {
+    const std::uint32_t* const neighbors = row(i);
+#ifdef __CUDA_ARCH__
+    constexpr int together = 6;
+    bool is_any = true; // there are no others behind the first that is none
+    for(int first = 0; is_any && first < k; first += together) {
+      std::uint32_t q[together];
+      T item[together];
+#pragma unroll
+      for(int j = 0; j < together; ++j)
+        q[j] = first + j < k ? neighbors[first + j] : no_index;
+#pragma unroll
+      for(int j = 0; j < together; ++j)
+        item[j] = table[q[j] != no_index ? q[j] : i];
+#pragma unroll
+      for(int j = 0; j < together; ++j)
+        if((is_any = is_any && q[j] != no_index))
+          f(item[j]);
+    }
+#else
+    for(int j = 0; j < k && neighbors[j] != no_index; ++j)
+      f(table[neighbors[j]]);
+#endif
+  }
+
   CGAL_TANDEM_HD std::uint8_t level_of(std::uint32_t i) const { return level != nullptr ? level[i] : 0; }
   CGAL_TANDEM_HD Tolerance tolerance_of(std::uint32_t i, const Tolerance& most) const
   {

@@ -123,6 +123,7 @@ struct Code_frame {
   int shift;
   double cells_per_step = 0; // the smallest ones; 0: no surfels
   int octaves = 0;           // widths of cells, but one
+  int first_level = 0;       // the octant at the low corner that has all points
 
   CGAL_TANDEM_HD bool has_surfels() const { return cells_per_step > 0; }
 
@@ -152,12 +153,13 @@ struct Code_frame {
            0;
   }
 
-private:
+  // Its coordinate in cells of surfels, or in finest octants.
   CGAL_TANDEM_HD std::uint32_t place(std::int32_t x, int axis) const
   {
     return has_surfels() ? cell(x, axis) : std::uint32_t(x - low[axis]) >> shift;
   }
 
+private:
   // From the code of the smallest cell around a point: that of its own cell, and its face as the octant below. Digits
   // of 6 below that are the mark of larger cells.
   CGAL_TANDEM_HD std::uint64_t surfel_code(std::uint64_t code, std::uint32_t face, std::uint8_t level) const
@@ -189,6 +191,10 @@ inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high,
     frame.octaves = surfels.octaves;
     frame.shift = (std::max)(std::ilogb(width_steps), 0);
   }
+  const std::uint32_t last = (frame.place(high.x, 0) | frame.place(high.y, 1) | frame.place(high.z, 2))
+                             << int(frame.has_surfels());
+  while(frame.first_level < curve_bits && last >> (curve_bits - 1 - frame.first_level) == 0)
+    ++frame.first_level;
   return frame;
 }
 

@@ -55,8 +55,7 @@ public:
 
 private:
   std::size_t grow();
-  std::size_t sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, std::size_t& untried_cells);
-  std::size_t growth_of_large_shapes();
+  void sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, Growth_counts& grown);
   Shape_relations relate_shapes(Buffer_of<Backend, Link>& links);
   bool is_going_on(std::size_t new_points) const;
 
@@ -92,58 +91,32 @@ std::size_t Engine<Backend>::grow()
   const bool is_young = state_.round < tuning::loop::young_rounds;
   if(!is_young)
     state_.options.growth.seeds_in_flight = tuning::growth::maximum_seeds_in_flight;
-  std::size_t new_points = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
+  Growth_counts grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options, !is_young);
   if(is_young)
-    return new_points;
+    return grown.points;
   int passes = 1;
-  std::size_t untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
-  new_points +=
-    sweep_untried_cells(state_.points.total_cells() / tuning::loop::cells_per_untried_cell, passes, untried_cells);
-  const bool is_slow = growth_of_large_shapes() <= state_.points.total_points() / tuning::loop::points_per_slow_point;
+  sweep_untried_cells(state_.points.total_cells() / tuning::loop::cells_per_untried_cell, passes, grown);
+  // Compared with the best round so far. Not in young rounds, so the first one counts all these points.
+  const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, grown.large_points));
+  const bool is_slow =
+    maximum_large_ - best_before <= state_.points.total_points() / tuning::loop::points_per_slow_point;
   if(is_slow)
-    new_points += sweep_untried_cells(0, passes, untried_cells);
-  is_idle_ = is_slow && untried_cells == 0;
-  return new_points;
+    sweep_untried_cells(0, passes, grown);
+  is_idle_ = is_slow && grown.untried_cells == 0;
+  return grown.points;
 }
 
-// Runs further passes until at most so many cells have many untried seeds, or all passes are used. Returns the number
-// of points that got a shape. Between passes only shapes that have just started are fitted, to their local planes:
-// fitting all shapes finds fewer faces on noisy scenes.
+// Runs further passes until at most so many cells have many untried seeds, or all passes are used. Between passes only
+// shapes that have just started are fitted, to their local planes: fitting all shapes finds fewer faces on noisy scenes.
 template <class Backend>
-std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes,
-                                                 std::size_t& untried_cells)
+void Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, Growth_counts& grown)
 {
-  std::size_t new_points = 0;
-  for(; untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
+  for(; grown.untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
     take_local_planes(state_.points, state_.shapes);
-    new_points += grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
-    untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
+    const std::size_t points = grown.points;
+    grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options, true);
+    grown.points += points;
   }
-  return new_points;
-}
-
-struct Count_points_of_large {
-  const Shape* shape;
-  std::int64_t minimum_size;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
-  {
-    if(shape[id].moments.count >= minimum_size)
-      sum[0] += shape[id].moments.count;
-  }
-};
-
-// How much the number of points in shapes of at least the minimum size exceeds the largest one before. Fragments are
-// not counted, as they come and go in every round. Not called in young rounds, so the first call counts all these
-// points.
-template <class Backend>
-std::size_t Engine<Backend>::growth_of_large_shapes()
-{
-  const auto sums = state_.points.backend.template sum<1>(
-    state_.shapes.size, Count_points_of_large{state_.shapes.counted(), state_.options.minimum_region_size});
-  const std::size_t large = std::size_t(sums[0]);
-  const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, large));
-  return maximum_large_ - best_before;
 }
 
 // Of more than one pass, and has stopped growing while it is small.

@@ -79,7 +79,12 @@ struct Unite_in_cell {
   {
     const Range cell = cells[c];
     const Union_find<Cell_parents<Block>> points = {{block, scratch.parent}};
-    block.for_each(cell.size(), [&](std::uint32_t at) { scratch.parent[at] = at; });
+    // Lanes that run at the same time begin with a forest of short paths, so that few edges join two trees.
+    constexpr bool has_lanes = Block::lookahead > 1;
+    block.for_each(cell.size(),
+                   [&](std::uint32_t at) { scratch.parent[at] = has_lanes ? first_before(cell, at) : at; });
+    if(has_lanes)
+      block.for_each(cell.size(), [&](std::uint32_t at) { points.parents.lower(at, points.root(at)); });
     block.for_each_neighbor(
       cell.size(), adjacency.cloud.k, [&](std::uint32_t at) { return adjacency.cloud.row(cell.first + at); },
       [&](std::uint32_t at, std::uint32_t q) {
@@ -89,6 +94,18 @@ struct Unite_in_cell {
                     [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
       });
     block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
+  }
+
+private:
+  // The nearest neighbor in the cell with the same label and a smaller position, or the surfel itself.
+  CGAL_TANDEM_HD std::uint32_t first_before(const Range& cell, std::uint32_t at) const
+  {
+    const std::uint32_t i = cell.first + at, own = adjacency.label[i];
+    const std::uint32_t* row = adjacency.cloud.row(i);
+    for(int j = 0; own < first_mark && j < adjacency.cloud.k && row[j] != no_index; ++j)
+      if(row[j] - cell.first < at && adjacency.label[row[j]] == own)
+        return row[j] - cell.first;
+    return at;
   }
 };
 
@@ -261,9 +278,8 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, const St
   backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
   borders.sum_sizes(n, size.data());
-  const auto own = backend.template collect<Component>(
-    n, Take_large{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)});
-  std::vector<Component> components = borders.join_large(to_vector(backend, own));
+  std::vector<Component> components = borders.join_large(backend.template collect_on_host<Component>(
+    n, Take_large{labels.label, component, size.data(), std::uint64_t(options.minimum_region_size)}));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;

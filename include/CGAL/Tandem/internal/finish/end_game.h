@@ -184,9 +184,10 @@ private:
   std::int64_t misfits_ = 0; // when it was noted
 };
 
-// Touching shapes unite where that gains. Returns whether any do.
+// Touching shapes unite where that gains. Returns what merge_by_gain() does.
 template <class Backend>
-bool unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+Buffer_of<Backend, std::uint32_t> unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                        const Stage_parameters& options)
 {
   fit_planes(points, shapes);
   auto links = collect_links(points, shapes, Links::all, Phase::end);
@@ -223,7 +224,9 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   separate_components(points, shapes, options, true);
   drop_clutter();
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
-  while(unite(points, shapes, options)) {      // ends, since unions leave fewer shapes, and an assignment makes none
+  while(
+    are_any(points.backend,
+            unite(points, shapes, options))) { // ends, since unions leave fewer shapes, and an assignment makes none
     fit_planes(points, shapes);
     assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
@@ -254,7 +257,7 @@ void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   Backend& backend = points.backend;
   separate_components(points, shapes, options, false);
   update_tables(points, shapes, tables::fits);
-  center_planes(summarize(backend, shapes, to_buffer(backend, relations.id)), relations.relations);
+  center_planes(summarize(backend, shapes, 1), relations);
   apply_relations(backend, shapes, relations);
   detach_misfits(points, shapes, options.growth.tolerance);
 }

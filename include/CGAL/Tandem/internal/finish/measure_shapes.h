@@ -98,17 +98,16 @@ private:
   }
 };
 
-// The sums of all ranks. Adds the opposite normals of each shape.
+// The sums of all ranks, then the opposite normals of each of n shapes.
 template <class Backend>
 std::vector<std::uint64_t> measure_points(Labeled_cloud<Backend>& points, const Final_shapes& shapes,
-                                          const Plane* plane, const Tolerance& tolerance,
-                                          Buffer_of<Backend, std::uint64_t>& opposed)
+                                          const Plane* plane, const Tolerance& tolerance, std::size_t n)
 {
-  auto sums = filled_buffer(points.backend, Point_measures::size, std::uint64_t(0));
+  auto sums = filled_buffer(points.backend, Point_measures::size + n, std::uint64_t(0));
   points.backend.template for_each_cell<Measure_scratch>(
-    points.number_of_cells(), Measure_points<Backend>{points.cloud.view(), points.cells.data(), shapes.labels, plane,
-                                                      shapes.shape, tolerance, opposed.data(), sums.data()});
-  points.ranks.sum(opposed.data(), opposed.size());
+    points.number_of_cells(),
+    Measure_points<Backend>{points.cloud.view(), points.cells.data(), shapes.labels, plane, shapes.shape, tolerance,
+                            sums.data() + Point_measures::size, sums.data()});
   points.ranks.sum(sums.data(), sums.size());
   return to_vector(points.backend, sums);
 }
@@ -130,10 +129,9 @@ template <class Backend>
 Measured_score measure_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                              const Stage_parameters& options)
 {
-  auto opposed = filled_buffer(points.backend, shapes.size, std::uint64_t(0));
   const Score_counts counts =
     counts_of(measure_points(points, {{points.cloud.surfels(), points.label(), nullptr}, points.label()},
-                             shapes.plane.data(), options.growth.tolerance, opposed));
+                             shapes.plane.data(), options.growth.tolerance, shapes.size));
   std::vector<std::size_t> size;
   for(const Shape& shape : to_vector(points.backend, shapes.counted(), shapes.size))
     if(shape.is_live())

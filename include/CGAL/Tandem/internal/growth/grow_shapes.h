@@ -233,18 +233,24 @@ struct Find_untried_cells {
   }
 };
 
-// Counts the cells that have many untried seeds, with one test for each seed from the cursors on. Changes nothing.
+// Adds the number of the cells that have many untried seeds, with one test for each seed from the cursors on.
 template <class Backend>
-std::size_t count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size)
+void count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size,
+                         std::uint32_t* found)
 {
-  auto found = filled_buffer(points.backend, 1, std::uint32_t(0));
   const std::uint32_t smallest =
     std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
   points.backend.template for_each_cell<std::uint32_t>(
     points.number_of_cells(), Find_untried_cells<Backend>{points.cloud.surfels(), points.label(), points.state(),
-                                                          points.cells.data(), seeds.view(), smallest, found.data()});
-  return points.ranks.total(to_vector(points.backend, found).front());
+                                                          points.cells.data(), seeds.view(), smallest, found});
 }
+
+// What a pass of growth has found, and has left.
+struct Growth_counts {
+  std::size_t points;        // that got a shape
+  std::size_t large_points;  // of the shapes of at least the minimum size: fragments come and go in every round
+  std::size_t untried_cells; // that have many untried seeds, if these are counted
+};
 
 // Replaces old ids by new ones in the labels. No label has an id that is out of use.
 struct Replace_ids {
@@ -319,15 +325,22 @@ struct Take_growth {
   }
 };
 
+// Growth_counts, then the live shapes before, and those that have started.
 struct Count_grown {
   const Shape* shape;
   const Shared_moments* delta;
   std::size_t shapes;
+  std::int64_t minimum_size;
+  const std::uint32_t* untried_cells;
 
   CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
   {
+    const std::int64_t n = delta[id].count + (id < shapes ? shape[id].moments.count : 0);
     sum[0] += delta[id].count;
-    sum[1] += id < shapes && shape[id].is_live();
+    sum[1] += n >= minimum_size ? n : 0;
+    sum[2] += id == 0 ? *untried_cells : 0;
+    sum[3] += id < shapes && shape[id].is_live();
+    sum[4] += id >= shapes && is_any(delta[id]);
   }
 };
 
@@ -368,22 +381,29 @@ std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_ta
 // Makes the table of shapes after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind
 // the others. Where most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that
 // keeps all results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new.
-// Returns the number of points that got a shape.
+// untried_cells: of this rank, where the functors run.
 template <class Backend>
-std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
+Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids,
+                          std::int64_t minimum_size, const std::uint32_t* untried_cells)
 {
   using Ids = Buffer_of<Backend, std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
   sum_deltas(backend, points.ranks, shapes);
-  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new});
-  if constexpr(Ranks<Backend>::are_many)
+  const auto count = [&] {
+    return backend.template sum<5>(
+      ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new, minimum_size, untried_cells});
+  };
+  auto sums = count();
+  const std::size_t live = std::size_t(sums[3]);
+  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new}, std::size_t(sums[4]));
+  if constexpr(Ranks<Backend>::are_many) {
     ids = join_started(backend, points.ranks, shapes, ids, started);
+    sums = count();
+  }
   Shared_moments* const delta = shapes.delta.data();
-  const auto sums = backend.template sum<2>(ids, Count_grown{shapes.counted(), delta, first_new});
-  const std::size_t live = std::size_t(sums[1]);
   const bool is_sparse = 2 * live < first_new;
-  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}) : Ids();
+  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}, live) : Ids();
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
   Buffer_of<Backend, Shape> shape;
   Buffer_of<Backend, Plane> plane;
@@ -419,15 +439,19 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.number_of_surfels(), Replace_ids{new_id.data(), labels.label});
   points.refresh_labels();
-  return std::size_t(sums[0]);
+  return {std::size_t(sums[0]), std::size_t(sums[1]), points.ranks.total(std::size_t(sums[2]))};
 }
 
-// Runs one pass of growth, from proposals to the table of shapes. Returns the number of points that were free before.
+// Runs one pass of growth, from proposals to the table of shapes.
 template <class Backend>
-std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                        const Growth_parameters& options)
+Growth_counts grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
+                          const Stage_parameters& options, bool counts_untried)
 {
-  return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
+  const std::size_t ids = grow_cells(points, shapes, seeds, options.growth);
+  auto untried_cells = filled_buffer(points.backend, 1, std::uint32_t(0));
+  if(counts_untried)
+    count_untried_cells(points, seeds, options.minimum_region_size, untried_cells.data());
+  return take_growth(points, shapes, ids, options.minimum_region_size, untried_cells.data());
 }
 
 // The fits of shapes that started in the last pass, as their planes.

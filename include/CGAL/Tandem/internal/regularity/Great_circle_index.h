@@ -43,14 +43,14 @@ public:
   // Whether it may pass through the cell.
   bool meets(const Direction_cell& cell, double) const { return !(distance(cell) > 0); }
 
-  // At most the squared dot product of the axis and any unit direction of the cell.
-  double least_squared_dot(const Direction_cell& cell) const
+  // Whether the squared dot product of the axis and some unit direction of the cell may be below a bound.
+  bool may_be_below(double bound, const Direction_cell& cell) const
   {
     const double least = distance(cell);
     if(!(least > 0))
-      return 0;
+      return bound > 0;
     const double u = std::fabs(cell.u) + cell.half_width, v = std::fabs(cell.v) + cell.half_width;
-    return least * least / (1 + u * u + v * v);
+    return least * least < bound * (1 + u * u + v * v);
   }
 
 private:
@@ -134,6 +134,7 @@ private:
 
   void append(Node& leaf, const Item& item)
   {
+    leaf.items.reserve(leaf_size + 1);
     leaf.items.push_back(item);
     leaf.largest = (std::max)(leaf.largest, item.value);
   }

@@ -20,16 +20,16 @@ namespace CGAL::Tandem::internal {
 class Partner_region {
 public:
   Partner_region(const Direction_group& group, double sine, double price)
-    : right_angles_(group.fitted), cheap_(group.eigen.vector[0]), gap_(group.eigen.value[1] - group.eigen.value[0]),
-      squared_sine_(sine * sine), price_(price)
+    : right_angles_(group.fitted), cheap_(group.eigen.vector[0]), squared_sine_(sine * sine),
+      cheap_squared_sine_(price / (group.eigen.value[1] - group.eigen.value[0]))
   {}
 
   static double value_of(int placed) { return 1 / (1 + double(placed)); }
 
   bool meets(const Direction_cell& cell, double largest) const
   {
-    return largest > least_value_ && right_angles_.least_squared_dot(cell) < squared_sine_ &&
-           gap_ * cheap_.least_squared_dot(cell) < price_;
+    return largest > least_value_ && right_angles_.may_be_below(squared_sine_, cell) &&
+           cheap_.may_be_below(cheap_squared_sine_, cell);
   }
 
   void add(int placed)
@@ -45,9 +45,9 @@ public:
 
 private:
   Great_circle right_angles_, cheap_;
-  double gap_, squared_sine_, price_;
-  double least_value_ = 0; // of those that may still be among the first
-  std::vector<int> first_; // ascending
+  double squared_sine_, cheap_squared_sine_; // bounds of squared dot products
+  double least_value_ = 0;                   // of those that may still be among the first
+  std::vector<int> first_;                   // ascending
 };
 
 class Greedy_directions {
@@ -64,6 +64,7 @@ public:
   // Groups of these shapes with their directions. Those of given directions may be empty.
   std::vector<Direction_group> operator()(const std::vector<int>& active)
   {
+    groups_.reserve(options_.fixed_directions.size() + active.size());
     for(const Vector& d : options_.fixed_directions)
       groups_.push_back(given_direction_group(d));
     for(int i : active)
@@ -94,6 +95,7 @@ private:
     fit_groups();
     std::vector<Direction_group> waiting;
     waiting.swap(groups_);
+    groups_.reserve(waiting.size());
     index_ = Great_circle_index();
     dependent_.clear();
     is_dependent_.assign(waiting.size(), 0);
@@ -115,12 +117,15 @@ private:
     index_.add(groups_.back().direction, Partner_region::value_of(size() - 1));
   }
 
-  void choose_partners(int g, int chosen)
+  // Returns the candidates.
+  std::vector<int> choose_partners(int g, int chosen)
   {
     if(group(g).is_given)
-      return;
-    set_partners(g, best_partners(group(g), find_candidates(group(g), chosen)));
+      return {};
+    std::vector<int> candidates = find_candidates(group(g), chosen);
+    set_partners(g, best_partners(group(g), candidates));
     group(g).direction = constrained(group(g), group(g).matrix);
+    return candidates;
   }
 
   void set_partners(int g, const Partners& partners)
@@ -143,9 +148,9 @@ private:
       index_.add(group(g).direction, Partner_region::value_of(g));
     for(int g = 0; g < size(); ++g) {
       find_dependent(g);
-      choose_partners(g, g);
+      const std::vector<int> candidates = choose_partners(g, g);
       if(group(g).partners[1] >= 0)
-        take_third(g, find_candidates(group(g), g));
+        take_third(g, candidates);
       index_.add(group(g).direction, Partner_region::value_of(g));
     }
   }

@@ -39,13 +39,24 @@ public:
   // groups of two or more.
   void fit(Regular_planes& plane, std::vector<int>& group_of) const
   {
-    std::vector<Group> groups = single_shapes(plane);
+    std::vector<std::tuple<int, double, int>> order; // the shapes by direction, then by offset
+    for(std::size_t i = 0; i < direction_.size(); ++i)
+      if(direction_[i] >= 0)
+        order.push_back({direction_[i], plane[i].offset, int(i)});
+    std::sort(order.begin(), order.end());
+    std::vector<Group> groups;
+    groups.reserve(order.size());
+    for(const auto& [direction, offset, i] : order) {
+      const Scatter& s = shapes_[std::size_t(i)].scatter;
+      groups.push_back({groups.size(), groups.size() + 1, direction, offset, s.weight(), s.count});
+    }
     while(unite(groups))
       ;
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      std::vector<int> members = groups[g].members;
-      const auto is_far = [&](int i) { return !can_move(i, groups[g].offset - plane[std::size_t(i)].offset); };
-      members.erase(std::remove_if(members.begin(), members.end(), is_far), members.end());
+      std::vector<int> members;
+      for(std::size_t k = groups[g].first; k < groups[g].last && groups[g].last - groups[g].first > 1; ++k)
+        if(can_move(std::get<2>(order[k]), groups[g].offset - std::get<1>(order[k])))
+          members.push_back(std::get<2>(order[k]));
       if(members.size() > 1)
         for(int i : members) {
           group_of[std::size_t(i)] = int(g);
@@ -55,27 +66,12 @@ public:
   }
 
 private:
+  // Shapes that follow each other in the order.
   struct Group {
-    std::vector<int> members;
+    std::size_t first, last;
     int direction;
     double offset, weight, largest; // the mean offset of the members, their weight, and the points of the largest one
   };
-
-  // Groups of one shape each, by direction, then by offset.
-  std::vector<Group> single_shapes(const Regular_planes& plane) const
-  {
-    std::vector<std::tuple<int, double, int>> order;
-    for(std::size_t i = 0; i < direction_.size(); ++i)
-      if(direction_[i] >= 0)
-        order.push_back({direction_[i], plane[i].offset, int(i)});
-    std::sort(order.begin(), order.end());
-    std::vector<Group> groups;
-    groups.reserve(order.size());
-    for(const auto& [direction, offset, i] : order)
-      groups.push_back(
-        {{i}, direction, offset, shapes_[std::size_t(i)].scatter.weight(), shapes_[std::size_t(i)].scatter.count});
-    return groups;
-  }
 
   // Unions of unions may move a shape by more than sigma, or at more than its plane is worth. It leaves its group then.
   bool can_move(int shape, double distance) const
@@ -99,24 +95,24 @@ private:
   // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
   bool unite(std::vector<Group>& groups) const
   {
-    std::vector<double> gains(groups.size() + 1, -1); // of each group with the one before
-    for(std::size_t g = 1; g < groups.size(); ++g)
-      gains[g] = gain(groups[g - 1], groups[g]);
-    std::vector<Group> united;
+    std::size_t size = 0;
+    double before = -1, own = -1; // the gains with the one before, of the one before and of this one
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      const bool is_best = gains[g] >= 0 && gains[g] > gains[g - 1] && gains[g] >= gains[g + 1];
-      if(!is_best) {
-        united.push_back(std::move(groups[g]));
-        continue;
-      }
-      Group& a = united.back();
-      a.offset = std::fma(groups[g].offset - a.offset, groups[g].weight / (a.weight + groups[g].weight), a.offset);
-      a.weight += groups[g].weight;
-      a.largest = (std::max)(a.largest, groups[g].largest);
-      a.members.insert(a.members.end(), groups[g].members.begin(), groups[g].members.end());
+      const Group b = groups[g];
+      const double next = g + 1 < groups.size() ? gain(b, groups[g + 1]) : -1;
+      if(own >= 0 && own > before && own >= next) {
+        Group& a = groups[size - 1];
+        a.offset = std::fma(b.offset - a.offset, b.weight / (a.weight + b.weight), a.offset);
+        a.weight += b.weight;
+        a.largest = (std::max)(a.largest, b.largest);
+        a.last = b.last;
+      } else
+        groups[size++] = b;
+      before = own;
+      own = next;
     }
-    const bool is_any = united.size() < groups.size();
-    groups.swap(united);
+    const bool is_any = size < groups.size();
+    groups.erase(groups.begin() + std::ptrdiff_t(size), groups.end());
     return is_any;
   }
 

@@ -186,15 +186,10 @@ struct Take_uncertain {
 
 // Points that fail become free, and no plane is fitted afterwards.
 struct Lock_rejected {
-  const Uncertain_point* uncertain;
-  const std::uint8_t* is_rejected;
+  const std::uint32_t* place;
   std::uint32_t* label;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    if(is_rejected[i])
-      label[uncertain[i].place] = locked_label;
-  }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { label[place[i]] = locked_label; }
 };
 
 // The test itself. It runs on the host, because the caller's coordinates and normals are there.
@@ -218,11 +213,15 @@ struct Check_exactly {
 template <class Backend>
 void check_exactly(Backend& backend, std::size_t n, const Take_uncertain& points, const Check_exactly& check)
 {
-  const auto found = backend.template collect<Uncertain_point>(n, points);
-  const std::vector<Uncertain_point> uncertain = to_vector(backend, found);
-  const auto is_rejected = backend.template make_buffer<std::uint8_t>(
-    uncertain.size(), [&](std::size_t i) { return std::uint8_t(!check.is_within(uncertain[i])); });
-  backend.for_each(found.size(), Lock_rejected{found.data(), is_rejected.data(), points.label});
+  const auto uncertain = backend.template collect_on_host<Uncertain_point>(n, points);
+  std::vector<std::uint8_t> is_rejected(uncertain.size());
+  backend.for_each_on_host(uncertain.size(), [&](std::size_t i) { is_rejected[i] = !check.is_within(uncertain[i]); });
+  std::vector<std::uint32_t> rejected;
+  for(std::size_t i = 0; i < uncertain.size(); ++i)
+    if(is_rejected[i])
+      rejected.push_back(uncertain[i].place);
+  const auto places = to_buffer(backend, rejected);
+  backend.for_each(places.size(), Lock_rejected{places.data(), points.label});
 }
 
 } // namespace CGAL::Tandem::internal

@@ -125,10 +125,9 @@ private:
   // normals are not oriented.
   void measure_shapes(const std::uint32_t* shape, Engine_result& result)
   {
-    auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
     const auto sum =
-      measure_points(points_, {labels(), shape}, plane_.data(), parameters_.growth.tolerance, opposed_sums);
-    const auto opposed = to_vector(backend_, opposed_sums);
+      measure_points(points_, {labels(), shape}, plane_.data(), parameters_.growth.tolerance, result.shapes.size());
+    const auto* const opposed = sum.data() + Point_measures::size;
     result.counts = counts_of(sum);
     std::size_t points = 0;
     for(std::size_t s = 0; s < result.shapes.size(); ++s) {

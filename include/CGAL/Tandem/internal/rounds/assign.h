@@ -92,8 +92,8 @@ struct Assignment_passes {
   CGAL_TANDEM_HD void run(int, std::size_t pass, std::size_t lane, std::size_t lanes) const
   {
     for_items_of_group(
-      lane, lanes, blocks, [](std::size_t) { return true; },
-      [&](std::size_t b) { visit_block(std::uint32_t(b), std::uint32_t(pass)); });
+      lane, lanes, blocks * parts(), [](std::size_t) { return true; },
+      [&](std::size_t at) { visit_part(std::uint32_t(at), std::uint32_t(pass)); });
   }
 
   // After the passes, sets the interior bits of the surfels of a block: of those without a neighbor in another shape
@@ -101,10 +101,11 @@ struct Assignment_passes {
   CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
   {
     const Block_entries changed = changed_entries(b, Change_passes::end);
-    for_each_surfel(b, [&](std::uint32_t i) {
-      const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
-      state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
-    });
+    for(std::uint32_t part = 0; part < parts(); ++part)
+      for_each_surfel(b, part, [&](std::uint32_t i) {
+        const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
+        state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
+      });
   }
 
 private:
@@ -117,8 +118,10 @@ private:
   {
     const std::uint32_t size = row[b].size;
     unsigned result = size > Block_row::capacity ? Block_row::all : 0u;
-    for(std::uint32_t i = 0; result != Block_row::all && i < size; ++i)
-      result |= unsigned(is_one(row[b].block[i])) << i;
+    for(std::uint32_t i = 0; result != Block_row::all && i < size; i += Lane_group::size()) {
+      const std::uint32_t own = i + Lane_group::rank();
+      result |= Lane_group::bits(own < size && is_one(row[b].block[own])) << i;
+    }
     return Block_entries(result);
   }
 
@@ -129,23 +132,31 @@ private:
       b, [&](std::uint32_t c) { return Change_passes::is_recent(Backend::atomic_load(block_change[c]), pass); });
   }
 
-  CGAL_TANDEM_HD void visit_block(std::uint32_t b, std::uint32_t pass) const
+  // So many parts of a block that each lane of a group has one surfel.
+  CGAL_TANDEM_HD static constexpr std::uint32_t parts()
   {
+    return Lane_group::size() > 1 ? Block_row::surfels / Lane_group::size() : 1;
+  }
+
+  CGAL_TANDEM_HD void visit_part(std::uint32_t at, std::uint32_t pass) const
+  {
+    const std::uint32_t b = at / parts();
     const Block_entries changed = changed_entries(b, pass);
-    const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
+    const bool has_border = Lane_group::bits(has_new_planes(pass) && Backend::atomic_load(border[b]) != 0) != 0;
     const Block_entries moved =
       has_border ? entries_with(b, [&](std::uint32_t c) { return is_moved[c] != 0; }) : Block_entries(0);
     if((changed | moved) == 0)
       return;
-    for_each_surfel(b, [&](std::uint32_t i) { choose(i, pass, {changed, moved}); });
+    for_each_surfel(b, at % parts(), [&](std::uint32_t i) { choose(i, pass, {changed, moved}); });
   }
 
-  // The lanes of a group share the surfels of a block.
+  // The lanes of a group share the surfels of a part of a block.
   template <class F>
-  CGAL_TANDEM_HD void for_each_surfel(std::uint32_t b, F f) const
+  CGAL_TANDEM_HD void for_each_surfel(std::uint32_t b, std::uint32_t part, F f) const
   {
     const Range surfels = surfels_of_block(b, cloud.size);
-    for(std::uint32_t i = surfels.first + Lane_group::rank(); i < surfels.last; i += Lane_group::size())
+    const std::uint32_t first = surfels.first + part * Lane_group::size() + Lane_group::rank();
+    for(std::uint32_t i = first; i < surfels.last; i += parts() * Lane_group::size())
       f(i);
   }
 
@@ -197,6 +208,8 @@ private:
       return true;
     if((changed.labels & entries[i]) == 0)
       return false;
+    if(Lane_group::size() > 1)
+      return true; // lanes that run together choose as fast as they ask neighbors
     Change_pass last = Backend::atomic_load(change[i]);
     if(Change_passes::is_recent(last, pass))
       return true;
@@ -216,13 +229,11 @@ private:
     std::int64_t links = 0;  // to the own one
     int n = 0;
     const std::uint32_t own = labels[i];
-    const std::uint32_t* neighbor = cloud.row(i);
-    for(int j = 0; j < cloud.k && neighbor[j] != no_index; ++j) {
-      const std::uint32_t t = labels[neighbor[j]];
+    cloud.for_each_neighbor(i, labels, [&](std::uint32_t t) {
       links += t == own;
       other[n] = t; // kept if it is another shape; no branches, which could not be predicted
       n += int(t < first_mark) & int(t != own);
-    }
+    });
     set_at_border(i, n > 0);
     std::uint32_t best = own;
     if(n == 0)

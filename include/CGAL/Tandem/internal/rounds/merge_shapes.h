@@ -213,25 +213,30 @@ struct Mark_linked {
 };
 
 // Of a union, the largest shape stays, of equal ones that with the smallest id. The links then have the new ids. A pair
-// may have several links, or become a pair of one shape with itself. Returns whether there were unions.
+// may have several links, or become a pair of one shape with itself. Returns the number of unions for are_any().
 template <class Backend>
-bool merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
-                   Buffer_of<Backend, Link>& links)
+Buffer_of<Backend, std::uint32_t> merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                                const Stage_parameters& options, Buffer_of<Backend, Link>& links)
 {
   if(links.size() == 0)
-    return false;
+    return {};
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits);
   auto is_linked = filled_buffer(backend, shapes.size, std::uint8_t(0));
   backend.for_each(links.size(), Mark_linked<Backend>{links.data(), is_linked.data()});
   auto samples = sample_shapes(points, shapes, Is_marked{is_linked.data()});
-  const auto unions = unite_shapes(points, shapes, Union_gain(options), samples, links);
-  if(to_vector(backend, unions.total).back() == 0)
-    return false;
+  auto unions = unite_shapes(points, shapes, Union_gain(options), samples, links);
   const Targets<Backend> target = join_members(backend, shapes, unions.target.data());
   merge_surfels(points, shapes, target);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
-  return true;
+  return std::move(unions.total);
+}
+
+// Waits for the unions of merge_by_gain().
+template <class Backend, class Total>
+bool are_any(Backend& backend, const Total& unions)
+{
+  return unions.size() > 0 && to_vector(backend, unions).back() > 0;
 }
 
 } // namespace CGAL::Tandem::internal

@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
 #include <CGAL/Tandem/internal/shapes/update_tables.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct Regular_shape {
   std::int64_t plane_number;
 };
 
-// The relations of some shapes: those of shape id[i] are the entries i. The ids are valid until the next pass of
+// The relations of some shapes: those of shape id[i] are the entries i. The ids ascend, and are valid until the next pass of
 // growth, which may renumber the shapes.
 struct Shape_relations {
   std::vector<std::uint32_t> id;
@@ -52,20 +53,18 @@ struct Take_local {
   }
 };
 
-struct Summarize_shape {
-  const Shape* shape;
-  const std::uint32_t* id;
-  Shape_summary* summary;
+// Of the shapes of at least a size, which are fitted.
+struct Take_summary {
+  Has_points is_taken;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return is_taken(id); }
+  CGAL_TANDEM_HD Shape_summary take(std::uint32_t id) const
   {
-    const Shape& s = shape[id[i]];
+    const Shape& s = is_taken.shape[id];
     Shape_fit fit = {s.scatter, s.fit};
     fit.scatter.matrix = s.scatter.matrix / s.scatter.squared_tolerance;
     fit.eigen = eigen_system(Symmetric_matrix() + fit.scatter.matrix); // as a sum of one summand
-    if(!s.is_live())
-      fit.scatter.count = 0;
-    summary[i] = {id[i], fit};
+    return {id, fit};
   }
 };
 
@@ -82,13 +81,15 @@ struct Apply_relation {
   }
 };
 
-// The offset of each plane becomes that which fits the points of all of its shapes best.
-inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r)
+// The offset of each plane becomes that which fits the points of all of its shapes best. All of these have entries.
+inline void center_planes(const std::vector<Shape_summary>& shapes, Shape_relations& relations)
 {
+  Relations& r = relations.relations;
   std::vector<double> count(r.planes.size(), 0), sum(r.planes.size(), 0);
-  for(std::size_t i = 0; i < shapes.size(); ++i) {
-    const Scatter& s = shapes[i].fit.scatter;
-    const std::size_t p = std::size_t(r.plane_of[i]);
+  for(const Shape_summary& shape : shapes) {
+    const Scatter& s = shape.fit.scatter;
+    const auto entry = std::lower_bound(relations.id.begin(), relations.id.end(), shape.id) - relations.id.begin();
+    const std::size_t p = std::size_t(r.plane_of[std::size_t(entry)]);
     count[p] += s.weight();
     sum[p] = std::fma(s.weight(), dot(r.planes[p].normal, s.centroid), sum[p]);
   }
@@ -97,14 +98,12 @@ inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r
       r.planes[p].offset = sum[p] / count[p];
 }
 
-// On the host, what the regularity step reads of the shapes with these ids. All have to be fitted.
+// On the host, what the regularity step reads of the shapes of at least this size, by id. All have to be fitted.
 template <class Backend>
-std::vector<Shape_summary> summarize(Backend& backend, Shape_table<Backend>& shapes,
-                                     const Buffer_of<Backend, std::uint32_t>& ids)
+std::vector<Shape_summary> summarize(Backend& backend, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
-  Buffer_of<Backend, Shape_summary> summaries(ids.size());
-  backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), summaries.data()}, shapes_per_thread);
-  return to_vector(backend, summaries);
+  return backend.template collect_on_host<Shape_summary>(shapes.size, Take_summary{{shapes.fitted(), minimum_size}},
+                                                         shapes_per_thread);
 }
 
 // The shapes take the planes of their relations.
@@ -127,10 +126,9 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   Backend& backend = points.backend;
   update_tables(points, shapes, tables::fits);
   for_each_shape(backend, shapes, Take_local{shapes.fitted()});
-  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum_size});
   Shape_fits fits;
   Shape_relations r;
-  for(const Shape_summary& s : summarize(backend, shapes, ids)) {
+  for(const Shape_summary& s : summarize(backend, shapes, minimum_size)) {
     fits.push_back(s.fit);
     r.id.push_back(std::uint32_t(s.id));
   }

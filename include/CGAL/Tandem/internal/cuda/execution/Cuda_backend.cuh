@@ -102,14 +102,13 @@ struct Merge_runs {
 
 // --- Which items are kept, of few by two loops of the queue, of many by CUB.
 
-// The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
+// Loops of more items are launched at once: they are worth it.
+constexpr std::size_t items_of_queue = 65536;
+
+// The i in [0, n) with is_kept(i), ascending, and their number.
 template <class F>
-std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
+void select_items(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
 {
-  constexpr std::size_t items_of_queue = 65536;
-  if(n == 0)
-    return 0;
-  auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
   if(n <= items_of_queue) {
     Device_buffer<std::uint32_t> bits((n + warp_size - 1) / warp_size);
     queue_loop(n, n, Test_loop<F>{is_kept, bits.data()});
@@ -120,6 +119,16 @@ std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
       return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
     });
   }
+}
+
+// Waits for their number, which the device writes to pinned memory.
+template <class F>
+std::size_t number_selected(std::size_t n, F is_kept, std::uint32_t* kept)
+{
+  if(n == 0)
+    return 0;
+  auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
+  select_items(n, is_kept, kept, size);
   synchronize();
   return std::size_t(*size);
 }
@@ -240,7 +249,7 @@ public:
   {
     constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
-    const std::size_t size = select_items(n, is_kept, kept.data());
+    const std::size_t size = number_selected(n, is_kept, kept.data());
     if(n < large) {
       kept.shrink(size);
       return kept;
@@ -252,13 +261,60 @@ public:
     return result;
   }
 
+  // Does not wait.
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size)
+  {
+    Buffer<std::uint32_t> kept(size);
+    Buffer<std::int64_t> found(1);
+    if(size > 0)
+      select_items(n, is_kept, kept.data(), found.data());
+    return kept;
+  }
+
   template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f)
+  Buffer<T> collect(std::size_t n, F f, std::size_t grain = 4096)
   {
     Buffer<std::uint32_t> found(n);
-    Buffer<T> items(select_items(n, Has_item<F>{f}, found.data()));
-    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
+    Buffer<T> items(number_selected(n, Has_item<F>{f}, found.data()));
+    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()}, grain);
     return items;
+  }
+
+  // Waits once: the first items, whose number is bounded, are taken and copied before the host knows how many there are.
+  template <class T, class F>
+  std::vector<T> collect_on_host(std::size_t n, F f, std::size_t grain = 4096)
+  {
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0, "copied in words");
+    if(n == 0)
+      return {};
+    const std::size_t first = (std::min)(n, (std::size_t(256) << 10) / sizeof(T));
+    char* const memory = Staging::of_thread().take(sizeof(std::int64_t) + first * sizeof(T));
+    auto* const size = reinterpret_cast<std::int64_t*>(memory);
+    char* const copy = memory + sizeof(std::int64_t);
+    Buffer<std::uint32_t> found(n);
+    Buffer<T> items(first);
+    Buffer<std::int64_t> number(1);
+    select_items(n, Has_item<F>{f}, found.data(), number.data());
+    for_each(first, Take_first<T, F>{{f, found.data(), items.data()}, number.data()}, grain);
+    const std::size_t words = sizeof(T) / sizeof(std::uint32_t);
+    queue_loop(
+      first * words, first * words,
+      Copy_first_loop{{reinterpret_cast<const std::uint32_t*>(items.data()), reinterpret_cast<std::uint32_t*>(copy)},
+                      number.data(),
+                      words,
+                      size});
+    synchronize();
+    const std::size_t all = std::size_t(*size), copied = (std::min)(all, first);
+    Device_work::of_thread().bytes_copied -= (first - copied) * sizeof(T);
+    std::vector<T> result(all);
+    std::memcpy(static_cast<void*>(result.data()), copy, copied * sizeof(T));
+    if(all > first) {
+      items.reset(all - first);
+      for_each(all - first, Take_item<T, F>{f, found.data() + first, items.data()}, grain);
+      to_host(items.data(), all - first, result.data() + first);
+    }
+    return result;
   }
 
   // Each block or warp writes its sums to pinned memory.
@@ -268,7 +324,7 @@ public:
     std::array<std::int64_t, N> total = {};
     if(n == 0)
       return total;
-    const bool is_queued = n <= items_of_queue;
+    const bool is_queued = n <= items_of_sum;
     const std::size_t parts =
       is_queued ? (std::min)((n + warp_size - 1) / warp_size, maximum_loop_blocks * item_lanes / warp_size)
                 : (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
@@ -286,7 +342,7 @@ public:
     return total;
   }
 
-  // A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
+  // Two warps for each item, since some take long, and some have two parts; but not more blocks than run at the same time, else the barrier would
   // never be passed. It takes hardly longer with more blocks. Does not wait.
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
@@ -295,7 +351,7 @@ public:
     int blocks = 0; // on a multiprocessor at the same time
     CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
     const std::size_t maximum = number_of_multiprocessors() * std::size_t(blocks);
-    const std::size_t useful = items / (item_lanes / warp_size) + 1;
+    const std::size_t useful = 2 * items / (item_lanes / warp_size) + 1;
     void* arguments[] = {&maximum_rounds, &rounds};
     ++Device_work::of_thread().launches;
     CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
@@ -375,8 +431,8 @@ private:
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.
   static constexpr std::size_t shared_bytes = 47 << 10;
-  // Loops of more items, or copies of more bytes, are launched at once: they are worth it.
-  static constexpr std::size_t grain_of_queue = 32, items_of_queue = 16384, long_items_of_queue = 4096,
+  // Loops of more items than these, or copies of more bytes, are not queued.
+  static constexpr std::size_t grain_of_queue = 32, long_items_of_queue = 4096, items_of_sum = 16384,
                                bytes_of_queue = std::size_t(64) << 10;
   // Bounds the memory of scratches that do not fit there.
   static constexpr std::size_t blocks_in_turns = 512;

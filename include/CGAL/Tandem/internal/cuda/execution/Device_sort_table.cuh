@@ -57,6 +57,19 @@ struct Take_item {
   __device__ void operator()(std::size_t i) const { item[i] = f.take(found[i]); }
 };
 
+// Where only the device knows how many there are.
+template <class T, class F>
+struct Take_first {
+  Take_item<T, F> take;
+  const std::int64_t* number;
+
+  __device__ void operator()(std::size_t i) const
+  {
+    if(i < std::size_t(*number))
+      take(i);
+  }
+};
+
 // --- The table itself.
 
 // Entry i is (key, index). Functors write entries through the view, and read them after sort().

@@ -109,7 +109,7 @@ void launch_loops_of_size(const unsigned char* loops, std::size_t bytes, unsigne
     cudaLaunchCooperativeKernel(run_loops<Bytes>, dim3(blocks), dim3(item_lanes), arguments, 0, cudaStreamPerThread));
 }
 
-constexpr std::size_t maximum_loop_blocks = 64;
+constexpr std::size_t maximum_loop_blocks = 128;
 
 inline void launch_loops(const unsigned char* loops, std::size_t bytes, std::size_t lanes)
 {
@@ -207,6 +207,23 @@ struct Copy_loop {
   {
     for(std::uint32_t i = lane.number; i < n; i += lane.lanes)
       target[i] = source[i];
+  }
+};
+
+// Of the first items of which only the device knows how many there are, each of so many words. The number goes to memory
+// of the host, too.
+struct Copy_first_loop {
+  Copy_loop copy;
+  const std::int64_t* number;
+  std::size_t words;
+  std::int64_t* size;
+
+  __device__ void operator()(std::uint32_t n, Loop_lane lane) const
+  {
+    const std::size_t all = std::size_t(*number) * words;
+    copy(all < n ? std::uint32_t(all) : n, lane);
+    if(lane.number == 0)
+      *size = *number;
   }
 };
 

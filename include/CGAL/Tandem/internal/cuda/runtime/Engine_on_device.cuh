@@ -10,17 +10,17 @@
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 
 #include <memory>
+#include <thread>
 
 namespace CGAL::Tandem::internal {
 
-// Calls f on the current device. Waits for all work that f has queued, also when f throws. So another
-// thread, with another stream, may call next, and no copy reads memory that the caller frees.
+// Calls f on the current device. Waits for all work that f has queued when f throws, so that no copy reads memory that
+// the caller frees.
 template <class F>
-void run_and_wait(F f)
+void run_or_wait(F f)
 {
   try {
     f();
-    synchronize();
   } catch(...) {
     // The exception of f counts, not an error of this wait.
     Loop_queue::of_thread().drop();
@@ -30,19 +30,25 @@ void run_and_wait(F f)
 }
 
 // An engine on the device that is current when it is made. The caller's thread, and its current device, may differ from
-// call to call. Buffers are freed on the device that they belong to.
+// call to call. Buffers are freed on the device that they belong to. Rounds do not wait for their end, but another thread
+// that calls next does, since it has another stream.
 class Engine_on_device : public Detection_engine {
 public:
   // make() returns the engine.
   template <class Make>
   explicit Engine_on_device(Make make) : device_(current_device())
   {
-    run_and_wait([&] { engine_ = make(); });
+    run_or_wait([&] {
+      engine_ = make();
+      synchronize();
+    });
   }
 
   ~Engine_on_device() override
   {
     const Device_guard guard(device_, std::nothrow);
+    if(thread_ != std::this_thread::get_id())
+      static_cast<void>(cudaDeviceSynchronize());
     engine_.reset();
   }
 
@@ -51,20 +57,29 @@ public:
   bool iterate() override
   {
     bool is_going_on = false;
-    on_device([&] { is_going_on = engine_->iterate(); });
+    on_device([&] {
+      is_going_on = engine_->iterate();
+      stream_of_thread();
+    });
     return is_going_on;
   }
 
   void finish() override
   {
-    on_device([&] { engine_->finish(); });
+    on_device([&] {
+      engine_->finish();
+      synchronize();
+    });
   }
 
   // All tables of a result are memory of the host.
   Engine_result result() override
   {
     Engine_result result;
-    on_device([&] { result = engine_->result(); });
+    on_device([&] {
+      result = engine_->result();
+      synchronize();
+    });
     return result;
   }
 
@@ -73,10 +88,14 @@ private:
   void on_device(F f)
   {
     const Device_guard guard(device_);
-    run_and_wait(f);
+    if(thread_ != std::this_thread::get_id())
+      CGAL_TANDEM_CUDA(cudaDeviceSynchronize());
+    thread_ = std::this_thread::get_id();
+    run_or_wait(f);
   }
 
   int device_;
+  std::thread::id thread_ = std::this_thread::get_id(); // of the last call
   std::unique_ptr<Detection_engine> engine_;
 };
 

@@ -173,7 +173,7 @@ struct Find_first {
 };
 
 // Points by shape: where those of each begin, on the host, and all that have one, in f(positions, how many). By a
-// stable sort, so points ascend within each shape.
+// stable sort, so points ascend within each shape. It has ended when f is called, whose copies have other streams.
 template <class Key, class F>
 void sort_by_shape(Cuda_backend& backend, const Device_buffer<std::int32_t>& shape_of,
                    std::vector<std::uint32_t>& first, F f)
@@ -246,8 +246,6 @@ struct Stage_overrides<Cuda_backend> : No_stage_overrides {
     const auto copy = [&](const std::uint32_t* positions, std::size_t size) {
       grouped.reset(size);
       grouped.keep_pages();
-      // The pinned copies have streams of their own, so the sort has to end first.
-      synchronize();
       empty_pinned_pieces({{positions, grouped.data(), size * sizeof(std::uint32_t)},
                            {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
     };
