@@ -211,6 +211,8 @@ private:
         before[i] = 3;
       }
     check(to_vector(backend_, backend_.compact(n, Is_end_of_step{step})) == kept, "a compaction", n);
+    check(to_vector(backend_, backend_.compact(n, Is_end_of_step{step}, kept.size())) == kept,
+          "a compaction of a known size", n);
     std::vector<Taken_item> expected;
     std::vector<std::uint32_t> after = before;
     for(std::uint32_t i = 0; i < n; ++i)
@@ -223,6 +225,10 @@ private:
     static_assert(std::is_same<decltype(items), const Buffer<Taken_item>>::value, "they stay where functors run");
     check(to_vector(backend_, items) == expected, "a collection", n);
     check(to_vector(backend_, counter) == after, "what is taken, ", n);
+    counter = to_buffer(backend_, before);
+    check(backend_.template collect_on_host<Taken_item>(n, Take_items{counter.data(), n}) == expected,
+          "a collection on the host", n);
+    check(to_vector(backend_, counter) == after, "what is taken on the host, ", n);
   }
 
   void test_sums(std::size_t n)

@@ -305,9 +305,10 @@ public:
                       words,
                       size});
     synchronize();
-    const std::size_t all = std::size_t(*size);
+    const std::size_t all = std::size_t(*size), copied = (std::min)(all, first);
+    Device_work::of_thread().bytes_copied -= (first - copied) * sizeof(T);
     std::vector<T> result(all);
-    std::memcpy(static_cast<void*>(result.data()), copy, (std::min)(all, first) * sizeof(T));
+    std::memcpy(static_cast<void*>(result.data()), copy, copied * sizeof(T));
     if(all > first) {
       items.reset(all - first);
       for_each(all - first, Take_item<T, F>{f, found.data() + first, items.data()}, grain);
