@@ -93,10 +93,12 @@ private:
     const std::uint32_t s = label[i];
     if(s >= first_mark || !is_selected[s] || (state[i] & interior_bit))
       return;
+    const std::uint32_t* row = cloud.row(i);
     const std::uint32_t points = cloud.surfels.edge_weight(i);
     bool all_same = true;
     std::uint32_t last = s, edges = 0; // in a row to neighbors of shape `last`
-    cloud.for_each_neighbor(i, label, [&](std::uint32_t t) {
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
       all_same = all_same && t == s;
       if(t != last) {
         count(block, scratch, i, last, edges);
@@ -104,7 +106,7 @@ private:
         edges = 0;
       }
       edges += points;
-    });
+    }
     count(block, scratch, i, last, edges);
     if(all_same)
       state[i] |= interior_bit;
