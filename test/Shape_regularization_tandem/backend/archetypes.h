@@ -158,9 +158,11 @@ struct Sort_table {
 //   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
 //   sort(table, bits)                            ascending by key; keys have so many bits, 63 if that is not given
 //   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
-//   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
+//   compact(n, is_kept, size)                    the i with is_kept(i), ascending; is_kept may be called twice;
+//                                                size: their number, if the caller knows it
 //   collect<T>(n, f)                             a buffer of f.take(i) of the i with f.has(i), ascending;
 //                                                all has() precede any take()
+//   collect_on_host<T>(n, f, grain)              the same as a vector; so many are worth a thread
 //   sum<N>(n, f)                                 N sums, for the host, to which f(i, sums) adds for i in [0, n)
 //   run_rounds(maximum, n, rounds)               rounds.run(step, round, lane, lanes) for all lanes, step by step;
 //                                                ends before the last step of a round with rounds.is_last(round)
@@ -206,7 +208,7 @@ struct Backend : Plain_atomics {
   void sort(Sort_table&, int = 63) {}
   void sort_ranges(std::uint64_t*, const Range*, std::size_t, std::size_t, std::size_t) {}
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t, F f)
+  Buffer<std::uint32_t> compact(std::size_t, F f, std::size_t = 0)
   {
     return Buffer<std::uint32_t>(std::size_t(false && f(0u)));
   }
@@ -215,6 +217,12 @@ struct Backend : Plain_atomics {
   {
     if(false && f.has(0u))
       f.take(0u);
+    return {};
+  }
+  template <class T, class F>
+  std::vector<T> collect_on_host(std::size_t n, F f, std::size_t = 0)
+  {
+    collect<T>(n, f);
     return {};
   }
   template <int N, class F>

@@ -199,7 +199,7 @@ public:
 
   // The predicate is evaluated twice, in random order.
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t = 0)
   {
     begin_loop();
     dice_.visit(0, n, [&](std::size_t i) { is_kept(std::uint32_t(i)); });

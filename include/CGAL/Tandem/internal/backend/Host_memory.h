@@ -94,10 +94,10 @@ public:
     return items;
   }
 
-  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. Each piece is kept at its
-  // beginning, then moved to its place.
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. A caller who knows how many
+  // are kept says so, as a device does not wait then. Each piece is kept at its beginning, then moved to its place.
   template <class F>
-  auto compact(std::size_t n, F is_kept)
+  auto compact(std::size_t n, F is_kept, std::size_t = 0)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
@@ -117,13 +117,6 @@ public:
       std::copy_n(kept.begin() + first, place[first / grain + 1] - to, result.begin() + to);
     });
     return result;
-  }
-
-  // The same where the caller knows how many are kept, so that a device does not wait.
-  template <class F>
-  auto compact(std::size_t n, F is_kept, std::size_t)
-  {
-    return compact(n, is_kept);
   }
 
   // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what

@@ -20,8 +20,8 @@ namespace CGAL::Tandem::internal {
 class Partner_region {
 public:
   Partner_region(const Direction_group& group, double sine, double price)
-    : right_angles_(group.fitted), cheap_(group.eigen.vector[0]),
-      squared_sine_(sine * sine), cheap_squared_sine_(price / (group.eigen.value[1] - group.eigen.value[0]))
+    : right_angles_(group.fitted), cheap_(group.eigen.vector[0]), squared_sine_(sine * sine),
+      cheap_squared_sine_(price / (group.eigen.value[1] - group.eigen.value[0]))
   {}
 
   static double value_of(int placed) { return 1 / (1 + double(placed)); }
@@ -46,8 +46,8 @@ public:
 private:
   Great_circle right_angles_, cheap_;
   double squared_sine_, cheap_squared_sine_; // bounds of squared dot products
-  double least_value_ = 0; // of those that may still be among the first
-  std::vector<int> first_; // ascending
+  double least_value_ = 0;                   // of those that may still be among the first
+  std::vector<int> first_;                   // ascending
 };
 
 class Greedy_directions {
