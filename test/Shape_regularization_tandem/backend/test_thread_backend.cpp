@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(passes)
     Given given;
     double items, loops, cell_loops;
   };
-  for(const Bounds& most : {Bounds{Given::normals, 103.7, 175, 15.6}, Bounds{Given::nothing, 142.7, 202, 17.0}})
+  for(const Bounds& most : {Bounds{Given::normals, 103.7, 174, 15.8}, Bounds{Given::nothing, 142.7, 196, 17.1}})
     for(const std::size_t points : {30000, 120000}) {
       Thread_backend::loops = Thread_backend::items = Thread_backend::cell_loops = 0;
       const Cloud cloud = to_cloud(scenes::make_scene("indoor", scene_options(points, .001, .1)));

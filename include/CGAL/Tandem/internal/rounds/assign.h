@@ -455,7 +455,7 @@ private:
     constexpr std::size_t maximum = tuning::moves::assignment_passes;
     const std::size_t blocks = block_.row.size();
     if constexpr(!Ranks<Backend>::are_many)
-      backend_.run_rounds(maximum, 2 * blocks, passes); // items: see Assignment_passes::parts()
+      backend_.run_rounds(maximum, blocks, passes);
     else
       run_joint_rounds(backend_, maximum, blocks, passes, [&](int step, std::size_t pass) {
         if(step == Assignment_passes<Backend>::visit)

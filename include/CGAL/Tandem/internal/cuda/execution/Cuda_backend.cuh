@@ -342,7 +342,7 @@ public:
     return total;
   }
 
-  // A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
+  // Two warps for each item, since some take long, and some have two parts; but not more blocks than run at the same time, else the barrier would
   // never be passed. It takes hardly longer with more blocks. Does not wait.
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
@@ -351,7 +351,7 @@ public:
     int blocks = 0; // on a multiprocessor at the same time
     CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
     const std::size_t maximum = number_of_multiprocessors() * std::size_t(blocks);
-    const std::size_t useful = items / (item_lanes / warp_size) + 1;
+    const std::size_t useful = 2 * items / (item_lanes / warp_size) + 1;
     void* arguments[] = {&maximum_rounds, &rounds};
     ++Device_work::of_thread().launches;
     CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
