@@ -61,14 +61,12 @@ struct Make_block_row {
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const
   {
-    Block_row& r = row[b];
-    Lane_group::single([&] {
-      r.size = 0;
-      r.add(std::uint32_t(b));
-    });
+    Block_row r = {}; // the same in all lanes
+    r.add(std::uint32_t(b));
     const Range surfels = surfels_of_block(std::uint32_t(b), cloud.size);
     for(std::uint32_t i = surfels.first; i < surfels.last; i += Lane_group::size())
       add_neighbors(r, i + Lane_group::rank(), surfels.last);
+    Lane_group::single([&] { row[b] = r; });
   }
 
 private:
@@ -89,13 +87,12 @@ private:
       if(Lane_group::count(is_other) == 0)
         continue;
       if(Lane_group::count(is_ghost) > 0)
-        Lane_group::single([&] { r.size = Block_row::capacity + 1; });
+        r.size = Block_row::capacity + 1;
       Block_entries entry = is_other ? r.entry(std::uint32_t(b)) : 0;
       Lane_group::for_each_in_order(is_other && entry == 0, b, [&](std::uint64_t other) {
         if(r.size <= Block_row::capacity && r.entry(std::uint32_t(other)) == 0)
-          Lane_group::single([&] { r.add(std::uint32_t(other)); });
+          r.add(std::uint32_t(other));
       });
-      Lane_group::sync();
       last_other = is_other ? b : last_other;
       if(is_other && entry == 0)
         entry = r.size > Block_row::capacity ? Block_row::all : r.entry(std::uint32_t(b));
