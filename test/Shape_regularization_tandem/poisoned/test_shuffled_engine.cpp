@@ -139,9 +139,9 @@ public:
   }
 
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size = 0)
   {
-    return Shuffled_backend::compact(n, is_kept);
+    return Shuffled_backend::compact(n, is_kept, size);
   }
 
   template <class T, class F>
