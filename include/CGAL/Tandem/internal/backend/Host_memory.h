@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -97,7 +98,7 @@ public:
   // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. A caller who knows how many
   // are kept says so, as a device does not wait then. Each piece is kept at its beginning, then moved to its place.
   template <class F>
-  auto compact(std::size_t n, F is_kept, std::size_t = 0)
+  auto compact(std::size_t n, F is_kept, [[maybe_unused]] std::size_t size = 0)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
@@ -111,6 +112,7 @@ public:
       place[first / grain + 1] = to - first;
     });
     std::partial_sum(place.begin(), place.end(), place.begin());
+    assert(size == 0 || size == place.back());
     typename Backend::template Buffer<std::uint32_t> result(place.back());
     self().for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
       const std::size_t to = place[first / grain];
