@@ -32,7 +32,10 @@ def measure(kind, folder, clouds, row):
     """The medians of the runs of one process but the first, by column, and the hash. None without the cloud."""
     arguments = row.split()
     if kind == "mpi":
-        command = ["mpirun", "-n", arguments[0], "--bind-to", "core", f"{folder}/mpi_benchmark", *arguments[1:]]
+        ranks, *arguments = arguments
+        command = [f"{folder}/mpi_benchmark", *arguments]
+        if ranks != "1":
+            command = ["mpirun", "-n", ranks, "--bind-to", "core", *command]
     else:
         cloud = clouds / arguments[2]
         if arguments[2].endswith(".ply") and not cloud.exists():

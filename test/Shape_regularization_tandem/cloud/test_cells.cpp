@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(rows_of_blocks)
   on_fixtures([](auto& backend, const std::string& name, Fixture f) {
     const std::uint32_t size = f.cloud.size;
     for(std::uint32_t i = 0; i < size; ++i)
-      if(i % 64 < i / 64 % 20)
+      if(i % 64 < i / 64 % 40)
         f.neighbor[i * std::size_t(f.cloud.k)] = std::uint32_t(std::uint64_t(i) * 7919 % size);
     f.cloud.neighbor = f.neighbor.data();
     const std::array<int, 2> all = check_rows(backend, name, f, size),

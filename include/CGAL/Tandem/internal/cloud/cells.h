@@ -100,8 +100,8 @@ std::vector<Octant> children_of(Backend& backend, const typename Backend::Sort_t
   return children;
 }
 
-// The leaves of the octree of all ranks, by code. The first octant with all points is split until a leaf has at most cell_size points and
-// is at most 2^23 steps wide. See cell_extent_bits for that bound. All ranks have the same list.
+// The leaves of the octree of all ranks, by code. The first octant with all points is split until a leaf has at most
+// cell_size points and is at most 2^23 steps wide. See cell_extent_bits for that bound. All ranks have the same list.
 template <class Backend>
 std::vector<Octant> find_leaves(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
                                 std::size_t cell_size)

@@ -33,8 +33,8 @@ struct Regular_shape {
   std::int64_t plane_number;
 };
 
-// The relations of some shapes: those of shape id[i] are the entries i. The ids ascend, and are valid until the next pass of
-// growth, which may renumber the shapes.
+// The relations of some shapes: those of shape id[i] are the entries i. The ids ascend, and are valid until the next pass
+// of growth, which may renumber the shapes.
 struct Shape_relations {
   std::vector<std::uint32_t> id;
   Relations relations;
