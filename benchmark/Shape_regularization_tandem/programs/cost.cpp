@@ -71,7 +71,7 @@ static void count(const std::vector<Point_with_normal>& points, const NP& np)
   const auto print = [](const char* stage, double ticks) { std::printf("%s,%.1f\n", stage, 1e-6 * ticks); };
   const auto print_seconds = [&](const char* stage, double seconds) { print(stage, seconds * Clock::period::den); };
   const CGAL::Tandem::Stage_times& times = shapes.statistics().times;
-  std::fprintf(stderr,"hash %zx\n", std::size_t(shapes.hash())); print("total", double(total.count()));
+  print("total", double(total.count()));
   print_seconds("sort", times.sort);
   print_seconds("neighbors", times.neighbors);
   print_seconds("normals", times.normals);

@@ -159,7 +159,7 @@ struct Sort_table {
 //   sort(table, bits)                            ascending by key; keys have so many bits, 63 if that is not given
 //   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
 //   compact(n, is_kept, size)                    the i with is_kept(i), ascending; is_kept may be called twice;
-//                                                size: their number, if the caller knows it
+//                                                size: their exact number, if the caller knows it
 //   collect<T>(n, f)                             a buffer of f.take(i) of the i with f.has(i), ascending;
 //                                                all has() precede any take()
 //   collect_on_host<T>(n, f, grain)              the same as a vector; so many are worth a thread

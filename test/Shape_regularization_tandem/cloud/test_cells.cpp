@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -110,6 +111,39 @@ BOOST_AUTO_TEST_CASE(cells)
       check_cells(points, cell_size, std::to_string(bits) + " bits and duplicates");
     }
   check_cells({random_point(random, 28)}, 64, "one point");
+}
+
+// Cells of surfels have all points also where the cloud is narrower than its largest cells, whose codes have marks.
+BOOST_AUTO_TEST_CASE(cells_of_small_clouds)
+{
+  Sequential_backend backend;
+  Random random(8);
+  const int levels = CGAL::Tandem::internal::levels_per_octave;
+  for(const int octaves : {0, 2, 6})
+    for(const int bits : {0, 3, 5})
+      for(const std::size_t cell_size : {std::size_t(16), std::size_t(4096)}) {
+        std::vector<Grid_point> points;
+        std::vector<std::uint8_t> level;
+        for(int i = 0; i < 3000; ++i) {
+          points.push_back(random_point(random, bits));
+          level.push_back(std::uint8_t(i % 2 == 0 ? 0 : octaves * levels));
+        }
+        const std::string name = std::to_string(octaves) + " octaves, " + std::to_string(bits) + " bits";
+        Grid_point low = points[0], high = low;
+        for(const Grid_point& p : points) {
+          low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z), no_normal};
+          high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z), no_normal};
+        }
+        const Code_frame frame = make_code_frame(low, high, {std::ldexp(1., octaves), octaves});
+        CHECK_AT(frame.has_surfels(), name);
+        const auto order = sort_along_curve(backend, {points.data(), points.size(), level.data()}, frame);
+        std::uint32_t next = 0;
+        for(const Range& cell : split_cells(backend, order, frame, cell_size)) {
+          CHECK_AT(cell.first == next && cell.size() > 0, name);
+          next = cell.last;
+        }
+        CHECK_AT(next == points.size(), name + ": the cells end at " + std::to_string(next));
+      }
 }
 
 using Blocks = std::set<std::uint32_t>;

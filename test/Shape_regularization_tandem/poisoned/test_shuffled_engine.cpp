@@ -139,7 +139,7 @@ public:
   }
 
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size = 0)
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size = unknown_size)
   {
     return Shuffled_backend::compact(n, is_kept, size);
   }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <numeric>
@@ -199,7 +200,7 @@ public:
 
   // The predicate is evaluated twice, in random order.
   template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t = 0)
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept, [[maybe_unused]] std::size_t size = unknown_size)
   {
     begin_loop();
     dice_.visit(0, n, [&](std::size_t i) { is_kept(std::uint32_t(i)); });
@@ -208,6 +209,7 @@ public:
       if(is_kept(std::uint32_t(i)))
         kept.push_back(std::uint32_t(i));
     });
+    assert(size == unknown_size || size == kept.size());
     std::sort(kept.begin(), kept.end());
     Buffer<std::uint32_t> result(kept.size());
     std::copy(kept.begin(), kept.end(), result.begin());

@@ -86,6 +86,8 @@ struct Shared_atomics {
 template <class Backend>
 class Host_operations : public Host_memory {
 public:
+  static constexpr std::size_t unknown_size = ~std::size_t(0); // of a compaction
+
   // A buffer of f(i) for i in [0, n), where f is evaluated on the host, once for each.
   template <class T, class F>
   auto make_buffer(std::size_t n, F f)
@@ -95,10 +97,10 @@ public:
     return items;
   }
 
-  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. A caller who knows how many
-  // are kept says so, as a device does not wait then. Each piece is kept at its beginning, then moved to its place.
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item. A caller who knows exactly how
+  // many are kept says so, as a device does not wait then. Each piece is kept at its beginning, then moved to its place.
   template <class F>
-  auto compact(std::size_t n, F is_kept, [[maybe_unused]] std::size_t size = 0)
+  auto compact(std::size_t n, F is_kept, [[maybe_unused]] std::size_t size = unknown_size)
   {
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
@@ -112,7 +114,7 @@ public:
       place[first / grain + 1] = to - first;
     });
     std::partial_sum(place.begin(), place.end(), place.begin());
-    assert(size == 0 || size == place.back());
+    assert(size == unknown_size || size == place.back());
     typename Backend::template Buffer<std::uint32_t> result(place.back());
     self().for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
       const std::size_t to = place[first / grain];

@@ -39,8 +39,8 @@ CGAL_TANDEM_HD inline std::uint64_t spread_bits(std::uint32_t v)
   return s;
 }
 
-// Octants are numbered by their bits x y z. This is octant v inside octant u, both in the axes around u, in the axes of
-// the curve inside u: a reflection and up to two swaps of axes in Skilling's construction (2004), and a reflection where
+// Octants are numbered by their bits x y z. u and v are octants of two successive levels, in the same axes. Returns v in
+// the axes that the curve has inside u: a reflection and up to two swaps (Skilling 2004), and another reflection where
 // the Gray code of u is odd.
 constexpr unsigned inside_octant(unsigned u, unsigned v)
 {
@@ -123,7 +123,7 @@ struct Code_frame {
   int shift;
   double cells_per_step = 0; // the smallest ones; 0: no surfels
   int octaves = 0;           // widths of cells, but one
-  int first_level = 0;       // the octant at the low corner that has all points
+  int first_level = 0;       // of the smallest octant at the low corner that has the codes of all points
 
   CGAL_TANDEM_HD bool has_surfels() const { return cells_per_step > 0; }
 
@@ -191,8 +191,9 @@ inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high,
     frame.octaves = surfels.octaves;
     frame.shift = (std::max)(std::ilogb(width_steps), 0);
   }
-  const std::uint32_t last = (frame.place(high.x, 0) | frame.place(high.y, 1) | frame.place(high.z, 2))
-                             << int(frame.has_surfels());
+  std::uint32_t last = frame.place(high.x, 0) | frame.place(high.y, 1) | frame.place(high.z, 2);
+  if(frame.has_surfels()) // codes of the largest cells differ in all digits below theirs
+    last = last << 1 | ((2u << frame.octaves) - 1);
   while(frame.first_level < curve_bits && last >> (curve_bits - 1 - frame.first_level) == 0)
     ++frame.first_level;
   return frame;

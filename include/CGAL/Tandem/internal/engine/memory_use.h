@@ -22,9 +22,9 @@ constexpr std::size_t member_bytes = sizeof(Grid_point) + 2 * sizeof(std::uint32
 template <class Backend>
 std::size_t host_bytes(const Sorted_cloud<Backend>& cloud, const Import& in)
 {
-  constexpr std::size_t labels = sizeof(std::uint32_t) + 1; // and states
-  constexpr std::size_t end_game = 5 * sizeof(std::uint32_t); // components, while assignments remember theirs
-  constexpr std::size_t neighborhoods = 100; // of estimate_normals()
+  constexpr std::size_t labels = sizeof(std::uint32_t) + 1;   // and states
+  constexpr std::size_t end_game = 6 * sizeof(std::uint32_t); // components, and the tables of an Assignment
+  constexpr std::size_t neighborhoods = 100;                  // of estimate_normals()
   const std::size_t level = in.has_tolerances ? 1 : 0;
   return in.size() * (in.value_bytes() + 2 * sizeof(std::uint32_t) + level + (cloud.has_surfels() ? member_bytes : 0)) +
          cloud.number_of_surfels() *

@@ -224,9 +224,8 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   separate_components(points, shapes, options, true);
   drop_clutter();
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
-  while(
-    are_any(points.backend,
-            unite(points, shapes, options))) { // ends, since unions leave fewer shapes, and an assignment makes none
+  // Ends, since unions leave fewer shapes, and an assignment makes none.
+  while(are_any(points.backend, unite(points, shapes, options))) {
     fit_planes(points, shapes);
     assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());

@@ -62,8 +62,8 @@ private:
   }
 };
 
-// Finds the border surfels of all cells. The marks take one byte a surfel meanwhile, the result 8 bytes a border
-// surfel.
+// Finds the border surfels of all cells. The marks take one byte a surfel meanwhile, the result 8 bytes a border surfel,
+// in the end game 4.
 template <class Backend>
 void find_border(Labeled_cloud<Backend>& points)
 {

@@ -142,6 +142,7 @@ private:
   {
     const std::uint32_t b = at / parts();
     const Block_entries changed = changed_entries(b, pass);
+    // One answer for all lanes, as those of the other part may change the border meanwhile.
     const bool has_border = Lane_group::bits(has_new_planes(pass) && Backend::atomic_load(border[b]) != 0) != 0;
     const Block_entries moved =
       has_border ? entries_with(b, [&](std::uint32_t c) { return is_moved[c] != 0; }) : Block_entries(0);

@@ -166,8 +166,8 @@ struct Shape_unions {
   Buffer<std::uint32_t> total;
 };
 
-// samples: of all live shapes, which have to be fitted; those of unions change. A pair may have several links. The sums
-// of the shapes are zero before and afterwards.
+// samples: of the shapes with links; those of unions change. All live shapes have to be fitted. A pair may have several
+// links. The sums of the shapes are zero before and afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                    const Union_gain& gain, Shape_samples<Backend>& samples,
@@ -213,7 +213,7 @@ struct Mark_linked {
 };
 
 // Of a union, the largest shape stays, of equal ones that with the smallest id. The links then have the new ids. A pair
-// may have several links, or become a pair of one shape with itself. Returns the number of unions for are_any().
+// may have several links, or become a pair of one shape with itself. Returns Shape_unions::total, empty without links: see are_any().
 template <class Backend>
 Buffer_of<Backend, std::uint32_t> merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                                 const Stage_parameters& options, Buffer_of<Backend, Link>& links)

@@ -266,18 +266,19 @@ public:
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size)
   {
     Buffer<std::uint32_t> kept(size);
+    if(size == 0)
+      return kept;
     Buffer<std::int64_t> found(1);
-    if(size > 0)
-      select_items(n, is_kept, kept.data(), found.data());
+    select_items(n, is_kept, kept.data(), found.data());
     return kept;
   }
 
   template <class T, class F>
-  Buffer<T> collect(std::size_t n, F f, std::size_t grain = 4096)
+  Buffer<T> collect(std::size_t n, F f)
   {
     Buffer<std::uint32_t> found(n);
     Buffer<T> items(number_selected(n, Has_item<F>{f}, found.data()));
-    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()}, grain);
+    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
     return items;
   }
 
@@ -342,8 +343,8 @@ public:
     return total;
   }
 
-  // Two warps for each item, since some take long, and some have two parts; but not more blocks than run at the same time, else the barrier would
-  // never be passed. It takes hardly longer with more blocks. Does not wait.
+  // Up to two warps for each item: some take long, some have two parts. But not more blocks than run at the same time,
+  // else the barrier would never be passed. It takes hardly longer with more blocks. Does not wait.
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
   {

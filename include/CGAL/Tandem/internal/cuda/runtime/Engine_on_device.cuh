@@ -95,7 +95,8 @@ private:
   }
 
   int device_;
-  std::thread::id thread_ = std::this_thread::get_id(); // of the last call
+  // Of the last call. A thread that has ended has waited, so its id may come again.
+  std::thread::id thread_ = std::this_thread::get_id();
   std::unique_ptr<Detection_engine> engine_;
 };
 
