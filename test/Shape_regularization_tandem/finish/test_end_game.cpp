@@ -54,12 +54,13 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
   for(const auto& [plane, points, z] : {std::make_tuple(0, 100., 11.), std::make_tuple(0, 300., 7.),
                                         std::make_tuple(0, 0., 1e6), std::make_tuple(1, 0., 5.)}) {
     r.plane_of.push_back(plane);
-    relations.id.push_back(std::uint32_t(shapes.size()));
+    relations.id.push_back(std::uint32_t(1 + 3 * shapes.size()));
     shapes.push_back({});
     shapes.back().id = relations.id.back();
     shapes.back().fit.scatter.count = points;
     shapes.back().fit.scatter.centroid = {5, 6, z};
   }
+  shapes.erase(shapes.begin() + 2); // shapes that are gone have no summary
   center_planes(shapes, relations);
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
 }

@@ -141,7 +141,16 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept, std::size_t size = unknown_size)
   {
-    return Shuffled_backend::compact(n, is_kept, size);
+    if(size == unknown_size)
+      return Shuffled_backend::compact(n, is_kept);
+    Buffer<std::uint32_t> kept(size);
+    add([n, is_kept, to = kept.data()] {
+      std::uint32_t* next = to;
+      for(std::size_t i = 0; i < n; ++i)
+        if(is_kept(std::uint32_t(i)))
+          *next++ = std::uint32_t(i);
+    });
+    return kept;
   }
 
   template <class T, class F>
