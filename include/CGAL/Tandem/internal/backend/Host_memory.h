@@ -8,6 +8,8 @@
 
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -183,6 +185,16 @@ public:
             rounds.run(step, round, lane, lanes);
         });
       }
+  }
+
+protected:
+  // By key, ascending, by one thread.
+  static void sort_by_bits(Sort_table::Entry* first, Sort_table::Entry* last)
+  {
+    using Entry = Sort_table::Entry;
+    boost::sort::spreadsort::integer_sort(
+      first, last, [](const Entry& e, unsigned shift) { return e.key >> shift; },
+      [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
 private:

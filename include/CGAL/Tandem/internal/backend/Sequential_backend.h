@@ -11,7 +11,6 @@
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <boost/sort/pdqsort/pdqsort.hpp>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -118,10 +117,7 @@ public:
   // Where keys have less than 63 bits, their number saves a device time.
   void sort(Sort_table& table, int = 63)
   {
-    using Entry = Sort_table::Entry;
-    boost::sort::spreadsort::integer_sort(
-      table.begin(), table.end(), [](const Entry& e, unsigned shift) { return e.key >> shift; },
-      [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    sort_by_bits(table.begin(), table.end());
   }
 
   // By one lane: see Host_operations.

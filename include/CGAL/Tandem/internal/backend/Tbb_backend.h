@@ -14,14 +14,14 @@
 #include <boost/sort/pdqsort/pdqsort.hpp>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
-#include <memory>
+#include <array>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Tandem::internal {
 
@@ -76,28 +76,65 @@ public:
     run((n + grain - 1) / grain, Index_functor(run_piece));
   }
 
-  // A scratch for each thread: cells of one thread use it one after the other.
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    tbb::enumerable_thread_specific<std::shared_ptr<void>> scratches;
     const auto run_cell = [&](std::size_t c) {
-      std::shared_ptr<void>& scratch = scratches.local();
-      if(scratch == nullptr)
-        scratch = std::make_shared<Scratch>();
+      Scratch scratch; // on the stack of the thread
       Serial_block block;
-      body(block, *static_cast<Scratch*>(scratch.get()), std::uint32_t(c));
+      body(block, scratch, std::uint32_t(c));
     };
     run(cells, Index_functor(run_cell));
   }
 
+  // By a sample of the keys, entries are brought to parts of about the same size, which are sorted at the same time.
   void sort(Sort_table& table, int = 63)
   {
-    using Entry = Sort_table::Entry;
-    const auto sort_all = [&](std::size_t) { // in the context of this task
-      tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    constexpr std::size_t pieces = 64, part_size = 1024, sample_size = 32;
+    const std::size_t n = table.size();
+    std::size_t parts = 1;
+    while(parts < pieces && 2 * parts * part_size <= n)
+      parts *= 2;
+    if(parts < 4 || concurrency() == 1)
+      return sort_by_bits(table.begin(), table.end());
+    std::vector<std::uint64_t> sample(sample_size * parts);
+    for(std::size_t i = 0; i < sample.size(); ++i)
+      sample[i] = table.begin()[i * n / sample.size()].key;
+    std::sort(sample.begin(), sample.end());
+    std::array<std::uint64_t, pieces> bound; // the last key of each part
+    for(std::size_t p = 0; p < parts; ++p)
+      bound[p] = sample[(p + 1) * sample_size - 1];
+    Buffer<std::uint8_t> part(n);
+    const auto set_part = [&](std::size_t i) {
+      std::size_t p = 0; // no branches, which could not be predicted
+      for(std::size_t step = parts / 2; step > 0; step /= 2)
+        p += bound[p + step - 1] < table.begin()[i].key ? step : 0;
+      part[i] = std::uint8_t(p);
     };
-    isolated(1, Index_functor(sort_all));
+    std::vector<std::array<std::size_t, pieces>> place(pieces); // of the next entry, by piece and part
+    const std::size_t grain = (n + pieces - 1) / pieces;
+    for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      for(std::size_t i = first; i < last; ++i) {
+        set_part(i);
+        ++place[first / grain][part[i]];
+      }
+    });
+    std::vector<std::size_t> first_of = {0};
+    for(std::size_t p = 0; p < parts; ++p) {
+      std::size_t sum = first_of.back();
+      for(auto& of_piece : place)
+        sum += std::exchange(of_piece[p], sum);
+      first_of.push_back(sum);
+    }
+    Sort_table sorted(n);
+    for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      for(std::size_t i = first; i < last; ++i)
+        sorted.begin()[place[first / grain][part[i]]++] = table.begin()[i];
+    });
+    for_each_piece(parts, 1, [&](std::size_t p, std::size_t) {
+      sort_by_bits(sorted.begin() + first_of[p], sorted.begin() + first_of[p + 1]);
+    });
+    table = std::move(sorted);
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
