@@ -137,7 +137,7 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
   for(int i = 0, k = 0; i < 3; ++i)
     for(int j = i; j < 3; ++j, ++k) {
       const Int128 about = m.product[k] - Int128(o[i]) * m.sum[j] - Int128(o[j]) * m.sum[i] + Int128(o[i]) * o[j] * n;
-      c[k] = std::fma(-rest[i], rest[j] / double(n), double(about));
+      c[k] = fused(-rest[i], rest[j] / double(n), double(about));
     }
   s.matrix = {c[0], c[1], c[2], c[3], c[4], c[5]};
   s.centroid = {double(o[0]) + rest[0] / double(n), double(o[1]) + rest[1] / double(n),
@@ -152,8 +152,8 @@ CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scat
   const Vector d = b.centroid - a.centroid;
   const Vector e = a.count * b.count / (a.count + b.count) * d;
   const Symmetric_matrix s = a.matrix + b.matrix;
-  return {std::fma(e.x, d.x, s.xx), std::fma(e.x, d.y, s.xy), std::fma(e.x, d.z, s.xz),
-          std::fma(e.y, d.y, s.yy), std::fma(e.y, d.z, s.yz), std::fma(e.z, d.z, s.zz)};
+  return {fused(e.x, d.x, s.xx), fused(e.x, d.y, s.xy), fused(e.x, d.z, s.xz),
+          fused(e.y, d.y, s.yy), fused(e.y, d.z, s.yz), fused(e.z, d.z, s.zz)};
 }
 
 // Least-squares plane of a set of points; it passes through their centroid.

@@ -20,7 +20,7 @@ inline double series(const double* c, int terms, double x2)
 {
   double sum = c[terms - 1];
   for(int i = terms - 2; i >= 0; --i)
-    sum = std::fma(sum, x2, c[i]);
+    sum = fused(sum, x2, c[i]);
   return sum;
 }
 

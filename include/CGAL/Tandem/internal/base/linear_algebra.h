@@ -21,7 +21,7 @@ struct Vector {
 
 CGAL_TANDEM_HD inline double dot(const Vector& a, const Vector& b)
 {
-  return std::fma(a.x, b.x, std::fma(a.y, b.y, a.z * b.z));
+  return fused(a.x, b.x, fused(a.y, b.y, a.z * b.z));
 }
 
 CGAL_TANDEM_HD inline bool operator==(const Vector& a, const Vector& b)
@@ -36,12 +36,12 @@ CGAL_TANDEM_HD inline Vector operator*(double s, const Vector& a) { return {s * 
 // a + s b
 CGAL_TANDEM_HD inline Vector add_scaled(const Vector& a, double s, const Vector& b)
 {
-  return {std::fma(s, b.x, a.x), std::fma(s, b.y, a.y), std::fma(s, b.z, a.z)};
+  return {fused(s, b.x, a.x), fused(s, b.y, a.y), fused(s, b.z, a.z)};
 }
 
 CGAL_TANDEM_HD inline Vector cross(const Vector& a, const Vector& b)
 {
-  return {std::fma(a.y, b.z, -(a.z * b.y)), std::fma(a.z, b.x, -(a.x * b.z)), std::fma(a.x, b.y, -(a.y * b.x))};
+  return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
 }
 
 CGAL_TANDEM_HD inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
@@ -80,14 +80,14 @@ CGAL_TANDEM_HD inline Symmetric_matrix operator+(const Symmetric_matrix& a, cons
 CGAL_TANDEM_HD inline Symmetric_matrix add_square(const Symmetric_matrix& m, double s, const Vector& v)
 {
   const Vector w = s * v;
-  return {std::fma(w.x, v.x, m.xx), std::fma(w.x, v.y, m.xy), std::fma(w.x, v.z, m.xz),
-          std::fma(w.y, v.y, m.yy), std::fma(w.y, v.z, m.yz), std::fma(w.z, v.z, m.zz)};
+  return {fused(w.x, v.x, m.xx), fused(w.x, v.y, m.xy), fused(w.x, v.z, m.xz),
+          fused(w.y, v.y, m.yy), fused(w.y, v.z, m.yz), fused(w.z, v.z, m.zz)};
 }
 
 CGAL_TANDEM_HD inline Vector operator*(const Symmetric_matrix& m, const Vector& v)
 {
-  return {std::fma(m.xx, v.x, std::fma(m.xy, v.y, m.xz * v.z)), std::fma(m.xy, v.x, std::fma(m.yy, v.y, m.yz * v.z)),
-          std::fma(m.xz, v.x, std::fma(m.yz, v.y, m.zz * v.z))};
+  return {fused(m.xx, v.x, fused(m.xy, v.y, m.xz * v.z)), fused(m.xy, v.x, fused(m.yy, v.y, m.yz * v.z)),
+          fused(m.xz, v.x, fused(m.yz, v.y, m.zz * v.z))};
 }
 
 // v' M v. For a scatter matrix and a unit v: the sum of squared distances to the plane of normal v.
@@ -100,11 +100,11 @@ CGAL_TANDEM_HD inline bool has_eigenvalues_above(const Symmetric_matrix& m, doub
   const double p = m.xx - value;
   if(!(p > 0))
     return false;
-  const double q = std::fma(-m.xy / p, m.xy, m.yy - value);
+  const double q = fused(-m.xy / p, m.xy, m.yy - value);
   if(!(q > 0))
     return false;
-  const double r = std::fma(-m.xy / p, m.xz, m.yz);
-  return std::fma(-r / q, r, std::fma(-m.xz / p, m.xz, m.zz - value)) > 0;
+  const double r = fused(-m.xy / p, m.xz, m.yz);
+  return fused(-r / q, r, fused(-m.xz / p, m.xz, m.zz - value)) > 0;
 }
 
 struct Eigen_system {
@@ -123,21 +123,21 @@ CGAL_TANDEM_HD inline void rotate(double a[3][3], double v[3][3], int p, int q)
     return;
   }
   const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-  const double root = std::sqrt(std::fma(theta, theta, 1.0));
+  const double root = std::sqrt(fused(theta, theta, 1.0));
   const double t = theta >= 0 ? 1 / (theta + root) : 1 / (theta - root);
-  const double c = 1 / std::sqrt(std::fma(t, t, 1.0));
+  const double c = 1 / std::sqrt(fused(t, t, 1.0));
   const double s = t * c;
   const int r = 3 - p - q;
   const double arp = a[r][p], arq = a[r][q];
-  a[p][p] = std::fma(-t, a[p][q], a[p][p]);
-  a[q][q] = std::fma(t, a[p][q], a[q][q]);
+  a[p][p] = fused(-t, a[p][q], a[p][p]);
+  a[q][q] = fused(t, a[p][q], a[q][q]);
   a[p][q] = a[q][p] = 0;
-  a[r][p] = a[p][r] = std::fma(c, arp, -(s * arq));
-  a[r][q] = a[q][r] = std::fma(s, arp, c * arq);
+  a[r][p] = a[p][r] = fused(c, arp, -(s * arq));
+  a[r][q] = a[q][r] = fused(s, arp, c * arq);
   for(int k = 0; k < 3; ++k) {
     const double vp = v[k][p], vq = v[k][q];
-    v[k][p] = std::fma(c, vp, -(s * vq));
-    v[k][q] = std::fma(s, vp, c * vq);
+    v[k][p] = fused(c, vp, -(s * vq));
+    v[k][q] = fused(s, vp, c * vq);
   }
 }
 

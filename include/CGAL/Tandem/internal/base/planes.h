@@ -34,13 +34,11 @@ CGAL_TANDEM_HD inline double bound_motion(const Box& box, const Regular_plane& a
 {
   const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
   const Vector v = add_scaled(a.normal, -sign, b.normal);
-  const double d = std::fma(sign, b.offset, -a.offset);
-  const double low =
-    std::fma(v.x, v.x > 0 ? box.low[0] : box.high[0],
-             std::fma(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
-  const double high =
-    std::fma(v.x, v.x > 0 ? box.high[0] : box.low[0],
-             std::fma(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
+  const double d = fused(sign, b.offset, -a.offset);
+  const double low = fused(v.x, v.x > 0 ? box.low[0] : box.high[0],
+                           fused(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
+  const double high = fused(v.x, v.x > 0 ? box.high[0] : box.low[0],
+                            fused(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
   return (std::max)(std::fabs(low + d), std::fabs(high + d));
 }
 

@@ -52,6 +52,24 @@ CGAL_TANDEM_HD inline float to_float(T x)
   return rounded;
 }
 
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__) && !defined(__CUDA_ARCH__)
+#define CGAL_TANDEM_ASKS_FOR_FMA
+inline const bool has_fma = __builtin_cpu_supports("fma");
+#endif
+
+// a b + c, rounded once: std::fma(). Where the compiler does not know whether the processor has the instruction, that
+// is a call, before which all values are stored.
+CGAL_TANDEM_HD inline double fused(double a, double b, double c)
+{
+#ifdef CGAL_TANDEM_ASKS_FOR_FMA
+  if(has_fma) {
+    asm("vfmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "x"(b));
+    return c;
+  }
+#endif
+  return std::fma(a, b, c);
+}
+
 // The length of the normal of an integer plane is 2^28. Signed distances are in units of 2^-28 steps for that reason.
 constexpr int normal_bits = 28;
 constexpr double normal_scale = double(std::int64_t(1) << normal_bits);

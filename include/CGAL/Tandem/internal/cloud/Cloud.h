@@ -32,7 +32,7 @@ struct Surfel_cells {
 // the negation, the sign of a zero would change.
 inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
 {
-  return {p.normal.x, p.normal.y, p.normal.z, 0. - std::fma(grid.step, p.offset, dot(p.normal, grid.origin))};
+  return {p.normal.x, p.normal.y, p.normal.z, 0. - fused(grid.step, p.offset, dot(p.normal, grid.origin))};
 }
 
 // The same plane on the grid.

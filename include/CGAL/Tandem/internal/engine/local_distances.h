@@ -24,7 +24,7 @@ inline double noise_at(const Patch_tree& tree, const Vector& p)
     if(squared_distance == 0)
       return tree.patches()[i].noise;
     const double weight = 1 / std::sqrt(squared_distance);
-    sum = std::fma(weight, tree.patches()[i].noise, sum);
+    sum = fused(weight, tree.patches()[i].noise, sum);
     weights += weight;
   }
   return sum / weights;

@@ -32,7 +32,7 @@ inline Tolerance make_tolerance(double steps, double cosine) { return make_toler
 inline double distance_margin_steps(const Grid& grid)
 {
   const double size = std::fabs(grid.origin.x) + std::fabs(grid.origin.y) + std::fabs(grid.origin.z);
-  return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin_steps);
+  return fused(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin_steps);
 }
 
 // How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells, and
@@ -78,7 +78,7 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
   const double possible_angle = (std::min)(p.maximum_angle + tuning::exactness::packing_margin_deg, 90.);
   const double possible_steps = (std::min)(o.maximum_distance_steps + distance_margin_steps(in.grid), double(1 << 30));
   o.possible = make_tolerance(possible_steps, cosine_deg(possible_angle), o.maximum_distance_steps);
-  o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
+  o.exact = {p.maximum_distance, fused(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   o.has_estimated_normals = !in.has_normals;
   return o;

@@ -263,7 +263,7 @@ struct Workspace {
 
   CGAL_TANDEM_HD float flat(std::uint32_t i) const
   {
-    return to_float(std::fma(squared_tolerance(i), flat2, double(rounding_variance)));
+    return to_float(fused(squared_tolerance(i), flat2, double(rounding_variance)));
   }
   CGAL_TANDEM_HD float minimum_clutter2(std::uint32_t i) const { return to_float(squared_tolerance(i) * clutter2); }
 

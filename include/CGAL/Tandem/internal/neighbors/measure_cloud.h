@@ -239,7 +239,7 @@ inline Cloud_measure summarize(const std::vector<Patch_measure>& patches, double
       continue;
     }
     noise.push_back(p.noise_steps);
-    squares = std::fma(p.noise_steps, p.noise_steps, squares);
+    squares = fused(p.noise_steps, p.noise_steps, squares);
     spacing.push_back(p.spacing_steps);
     places_per_point.push_back(p.places_per_point);
     exact += p.exact;
@@ -284,8 +284,8 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   for(std::size_t i = 0; i < patches.size(); ++i)
     if(patches[i].noise_steps >= 0) {
       const Grid_point& p = sample.point[(std::min)(i * patch_size + patch_size / 2, sample.point.size() - 1)];
-      m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
-                          std::fma(p.z, grid.step, grid.origin.z)},
+      m.patch.push_back({{fused(p.x, grid.step, grid.origin.x), fused(p.y, grid.step, grid.origin.y),
+                          fused(p.z, grid.step, grid.origin.z)},
                          patches[i].noise_steps * grid.step,
                          patches[i].spacing_steps * grid.step});
       if(patches[i].is_flat())

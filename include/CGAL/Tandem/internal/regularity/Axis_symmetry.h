@@ -75,7 +75,7 @@ private:
   bool is_near(int a, int b) const
   {
     const Axis_angle m(groups[a].direction, axis), j(groups[b].direction, axis);
-    return a == b || std::fabs(std::fma(m.cosine, j.sine, -(m.sine * j.cosine))) < largest_sine;
+    return a == b || std::fabs(fused(m.cosine, j.sine, -(m.sine * j.cosine))) < largest_sine;
   }
 
   // The groups of a class get the mean of their angles, weighted by points. Those that it costs too much leave it.
@@ -108,10 +108,10 @@ private:
     double cosine = 0, sine = 0;
     for(const Turnable& t : turnable) {
       const Axis_angle angle(groups[t.group].direction, axis);
-      cosine = std::fma(groups[t.group].weight, angle.cosine, cosine);
-      sine = std::fma(groups[t.group].weight, angle.sine, sine);
+      cosine = fused(groups[t.group].weight, angle.cosine, cosine);
+      sine = fused(groups[t.group].weight, angle.sine, sine);
     }
-    const double norm = std::sqrt(std::fma(cosine, cosine, sine * sine));
+    const double norm = std::sqrt(fused(cosine, cosine, sine * sine));
     std::vector<Vector> result;
     result.reserve(turnable.size());
     for(const Turnable& t : turnable)

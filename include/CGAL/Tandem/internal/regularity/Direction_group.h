@@ -76,7 +76,7 @@ inline Symmetric_matrix_2 restricted(const Symmetric_matrix& m, const Plane_basi
 inline bool smallest_eigenvector(const Symmetric_matrix_2& m, double& c, double& s)
 {
   const double delta = (m.p - m.r) * 0.5;
-  const double root = std::sqrt(std::fma(delta, delta, m.q * m.q));
+  const double root = std::sqrt(fused(delta, delta, m.q * m.q));
   if(!(root > 0))
     return false;
   c = delta >= 0 ? m.q : delta - root;
@@ -194,14 +194,14 @@ struct Stiffness {
   double cost(const Vector& p) const
   {
     const double d = dot(normal, p);
-    return std::fma(d * d, (*this)(p), 0.);
+    return fused(d * d, (*this)(p), 0.);
   }
 
 private:
   double softness(const Vector& x) const
   {
     const double a = dot(u, x), b = dot(v, x);
-    return std::fma(a * a, gap_v, b * b * gap_u);
+    return fused(a * a, gap_v, b * b * gap_u);
   }
 
   static double ratio(double a, double b) { return b > 0 ? a / b : 0; }

@@ -89,7 +89,7 @@ private:
     if(a.direction != b.direction || !(d <= parameters_.maximum_offset_steps))
       return -1;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
-    return std::fma(-weight, d * d, parameters_.price((std::min)(a.largest, b.largest)));
+    return fused(-weight, d * d, parameters_.price((std::min)(a.largest, b.largest)));
   }
 
   // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
@@ -102,7 +102,7 @@ private:
       const double next = g + 1 < groups.size() ? gain(b, groups[g + 1]) : -1;
       if(own >= 0 && own > before && own >= next) {
         Group& a = groups[size - 1];
-        a.offset = std::fma(b.offset - a.offset, b.weight / (a.weight + b.weight), a.offset);
+        a.offset = fused(b.offset - a.offset, b.weight / (a.weight + b.weight), a.offset);
         a.weight += b.weight;
         a.largest = (std::max)(a.largest, b.largest);
         a.last = b.last;

@@ -36,7 +36,7 @@ inline Coefficients normalized(const Coefficients& c)
 // To a plane of unit normal, in the caller's coordinates.
 inline double signed_distance(const Coefficients& c, const Vector& p)
 {
-  return std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
+  return fused(c[0], p.x, fused(c[1], p.y, fused(c[2], p.z, c[3])));
 }
 
 // epsilon where the caller gives none: some times the root mean square distance of the points to their planes. Sums are

@@ -53,7 +53,7 @@ struct Regularity_parameters {
   double price(double points, bool is_given = false) const
   {
     const Freedom_worth& worth = is_given ? given_freedom : freedom;
-    return std::fma(maximum_distance_steps * maximum_distance_steps, worth.of(points), 0.);
+    return fused(maximum_distance_steps * maximum_distance_steps, worth.of(points), 0.);
   }
 
   // That of the two degrees of freedom of a direction.

@@ -23,7 +23,7 @@ namespace CGAL::Tandem::internal {
 // points are no wider than thick, or of no width but rounding, nothing is known.
 inline double normal_variance(double spread, double count, double noise2, double rounding)
 {
-  const double width = std::fma(-count, noise2, spread);
+  const double width = fused(-count, noise2, spread);
   return width > rounding ? (std::min)(noise2 * (spread / width) / width, 1.) : 1;
 }
 
@@ -31,7 +31,7 @@ inline double normal_variance(double spread, double count, double noise2, double
 inline Plane_uncertainty plane_uncertainty(const Scatter& s, const Regular_plane& plane, double maximum_distance)
 {
   const double mean = dot(plane.normal, s.centroid) - plane.offset;
-  const double squares = std::fma(s.count * mean, mean, (std::max)(quadratic_form(s.matrix, plane.normal), 0.));
+  const double squares = fused(s.count * mean, mean, (std::max)(quadratic_form(s.matrix, plane.normal), 0.));
   const double noise2 = s.count > 3 ? squares / (s.count - 3) : maximum_distance * maximum_distance;
   Plane_uncertainty u;
   u.centroid = {s.centroid.x, s.centroid.y, s.centroid.z};
@@ -71,7 +71,7 @@ inline Plane_uncertainty to_caller(Plane_uncertainty u, const Grid& grid)
 {
   const double origin[3] = {grid.origin.x, grid.origin.y, grid.origin.z};
   for(int c = 0; c < 3; ++c)
-    u.centroid[c] = std::fma(grid.step, u.centroid[c], origin[c]);
+    u.centroid[c] = fused(grid.step, u.centroid[c], origin[c]);
   u.noise *= grid.step;
   u.offset_deviation *= grid.step;
   return u;

@@ -30,7 +30,7 @@ namespace CGAL::Tandem::internal {
 CGAL_TANDEM_HD inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
 {
   const double e = dot(plane.normal, scatter.centroid) - plane.offset;
-  return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
+  return fused(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
 // What is known of a shape, or of a union of shapes. The sample is one of its points.
@@ -57,13 +57,13 @@ public:
   {
     const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
     const std::int64_t na = a.moments.count, nb = b.moments.count;
-    const double most = std::fma(continuity_of(a, b, contact), bonus(na, nb, na, nb), saved(contact));
-    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
+    const double most = fused(continuity_of(a, b, contact), bonus(na, nb, na, nb), saved(contact));
+    if(fused(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
       return true;
     const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
     const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
     return !has_eigenvalues_above(joint,
-                                  std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
+                                  fused(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
   }
 
   // In units of the score; not positive if nothing is gained, or too many points would not fit.
@@ -81,7 +81,7 @@ public:
       return 0;
     const double size = bonus(a.size() - of_a.misfits, b.size() - of_b.misfits, a.size() - of_a.misfits_before,
                               b.size() - of_b.misfits_before);
-    return saved(contact) + std::fma(continuity_of(a.fitted, b.fitted, contact), size, -(of_a.loss + of_b.loss));
+    return saved(contact) + fused(continuity_of(a.fitted, b.fitted, contact), size, -(of_a.loss + of_b.loss));
   }
 
 private:
@@ -135,7 +135,7 @@ private:
       Lane_group::for_each_in_order(is_misfit || was_misfit, change, [&](double c) { sum += c; });
     }
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
-    return {std::fma(per_square, excess(s.fitted.scatter, s.fitted.fit, candidate), -scale * sum),
+    return {fused(per_square, excess(s.fitted.scatter, s.fitted.fit, candidate), -scale * sum),
             std::int64_t(scale * double(misfits)), std::int64_t(scale * double(misfits_before)), has_misfits};
   }
 
@@ -143,7 +143,7 @@ private:
   CGAL_TANDEM_HD static double surplus(const Plane& plane, const Grid_point& p, double per_square)
   {
     const double e = double(signed_distance(plane, p)) / normal_scale;
-    return std::fma(e * e, per_square, -double(Score::unit));
+    return fused(e * e, per_square, -double(Score::unit));
   }
 
   Score score_;

@@ -91,7 +91,7 @@ inline void center_planes(const std::vector<Shape_summary>& shapes, Shape_relati
     const auto entry = std::lower_bound(relations.id.begin(), relations.id.end(), shape.id) - relations.id.begin();
     const std::size_t p = std::size_t(r.plane_of[std::size_t(entry)]);
     count[p] += s.weight();
-    sum[p] = std::fma(s.weight(), dot(r.planes[p].normal, s.centroid), sum[p]);
+    sum[p] = fused(s.weight(), dot(r.planes[p].normal, s.centroid), sum[p]);
   }
   for(std::size_t p = 0; p < count.size(); ++p)
     if(count[p] > 0)

@@ -66,7 +66,7 @@ struct Score_terms {
 struct Freedom_worth {
   double least = 0, per_point = 0;
 
-  double of(double points) const { return std::fma(per_point, points, least); }
+  double of(double points) const { return fused(per_point, points, least); }
 };
 
 inline Freedom_worth make_freedom_worth(double regularity, double minimum_size)

@@ -46,8 +46,8 @@ struct Exact_bounds {
   {
     const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
     const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
-    const double e = std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
-    return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance * level_factor(level);
+    const double e = fused(c[0], p.x, fused(c[1], p.y, fused(c[2], p.z, c[3])));
+    return fused(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance * level_factor(level);
   }
 
   // Whether the unit normal n is within alpha of that of the plane. The sign of a normal is ignored.
