@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(samples)
         const auto got = sample_shapes(points, shapes, Has_points{shapes.counted(), 1});
         for(std::size_t s = 0; s < n; ++s) {
           const std::string where = name + ", shape " + std::to_string(s) + " of " + std::to_string(all[s].size());
-          CHECK_AT(are_equal(got.data()[s], least_of(all[s])), where);
+          CHECK_AT(are_equal(got.sample.data()[s], least_of(all[s])), where);
         }
       }
   });
@@ -382,10 +382,10 @@ Outcome unite(Backend& backend, const Fragments& fragments, const Links& links, 
   const std::size_t n = fragments.size();
   std::vector<Shape> shape(n);
   Shape_samples<Backend> samples;
-  samples.reset(n);
+  samples.sample.reset(n);
   for(std::size_t id = 0; id < n; ++id) {
     static_cast<Fitted_moments&>(shape[id]) = fragments[id].fitted;
-    samples.data()[id] = fragments[id].sample;
+    samples.sample.data()[id] = fragments[id].sample;
   }
   Shape_table<Backend> shapes = make_table(backend, shape);
   shapes.set_fitted();
@@ -398,7 +398,7 @@ Outcome unite(Backend& backend, const Fragments& fragments, const Links& links, 
     const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
     o.root.push_back(root);
     o.plane.push_back(place == no_index ? shape[root].local : unions.whole[place].local);
-    o.sample.push_back(samples.data()[root]);
+    o.sample.push_back(samples.sample.data()[root]);
     if(root != id)
       united.insert(root);
     if(std::is_same<Backend, Noting_backend>::value)

@@ -192,7 +192,7 @@ struct Union_root {
 // are fitted and their pairs tested anew, until no two shapes join. The pair of the smallest key is chosen by both of
 // its shapes, so each round has a union as long as a pair is accepted. Only minima, integer sums and values that are
 // the same for all writers are shared, so no order matters. Tests and fits take most of the time: a rank makes its own
-// items, and gets the others from the other ranks, see run_unions().
+// items, and gets the others from the other ranks, see run_unions(). Tests are made where the samples are.
 template <class Backend>
 struct Union_rounds {
   // One after the other: each needs all of the one before.
@@ -210,7 +210,7 @@ struct Union_rounds {
   Fitted_moments* whole;  // the unions, in any order
   std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity
   std::uint32_t* total;   // the number of rounds, and that of the places in `whole`
-  Own_items own;          // of the pairs, and of the shapes
+  Sample_homes samples;   // and the own items
 
   // Only tests and fits are worth several threads where there are few.
   static constexpr std::size_t few(int step) { return step == test || step == fit ? 64 : 4096; }
@@ -299,7 +299,7 @@ private:
     p.tested = round;
     p.is_taken = (na > nb ? na : nb) > tuning::moves::much_larger * (na > nb ? nb : na);
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
-    return a != b && own.has(i) && gain.may_gain(united(a), united(b), p.contact);
+    return a != b && samples.has_pair(i, a, b) && gain.may_gain(united(a), united(b), p.contact);
   }
 
   // By a group of lanes.
@@ -355,7 +355,8 @@ private:
   CGAL_TANDEM_HD void fit_whole(std::size_t s) const
   {
     Union_root& r = root[s];
-    merge_samples(s, r.joined);
+    if(samples.has(s))
+      merge_samples(s, r.joined);
     Lane_group::single([&] {
       r.joined = no_index;
       if(r.place == no_index) {
@@ -366,7 +367,7 @@ private:
       m.moments += joined[s].moments();
       joined[s] = Shared_moments();
       m.scatter = make_scatter(m.moments);
-      if(own.has(s))
+      if(samples.own.has(s))
         set_fit(m, fit_plane(m.scatter));
     });
   }

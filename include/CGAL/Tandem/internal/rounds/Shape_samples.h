@@ -11,6 +11,10 @@
 #include <CGAL/Tandem/internal/base/keys.h>
 #include <CGAL/Tandem/internal/shapes/update_tables.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace CGAL::Tandem::internal {
 
 // --- A sample of the points of a shape: those of the least hash of their position. That of a union of shapes is a merge of
@@ -110,9 +114,33 @@ CGAL_TANDEM_HD inline void merge_sample(Shape_sample& target, const Shape_sample
   target.size = n;
 }
 
-// By id.
+// Which ranks have the sample of a shape: that of its home, or all of them. A rank that has not has an empty one.
+struct Sample_homes {
+  static constexpr std::uint32_t all_ranks = no_index, none = no_index - 1; // none: it is a part of that of a union
+
+  Own_items own;
+  std::uint32_t* home; // by shape; null where there is one rank
+
+  CGAL_TANDEM_HD bool is_everywhere(std::size_t s) const { return home == nullptr || home[s] == all_ranks; }
+  CGAL_TANDEM_HD bool has(std::size_t s) const { return is_everywhere(s) || home[s] == own.rank; }
+
+  // Whether this rank does the work of item i, which needs the sample of a shape, or those of a pair.
+  CGAL_TANDEM_HD bool has_item(std::size_t i, std::size_t s) const
+  {
+    return is_everywhere(s) ? own.has(i) : home[s] == own.rank;
+  }
+  CGAL_TANDEM_HD bool has_pair(std::size_t i, std::size_t a, std::size_t b) const
+  {
+    return has_item(i, is_everywhere(a) ? b : a);
+  }
+};
+
+// By id. Homes are empty where there is one rank.
 template <class Backend>
-using Shape_samples = Buffer_of<Backend, Shape_sample>;
+struct Shape_samples {
+  Buffer_of<Backend, Shape_sample> sample;
+  Buffer_of<Backend, std::uint32_t> home;
+};
 
 // --- The samples of all shapes.
 
@@ -199,14 +227,36 @@ struct Put_sampled {
   }
 };
 
-// The sampled points of the shapes, shape by shape, by rising hash.
+// The sampled points of the shapes, shape by shape, by rising hash. Homes as in Shape_samples.
 template <class Backend>
 struct Sorted_samples {
   Buffer_of<Backend, Sampled_point> point;
-  Buffer_of<Backend, Range> range; // by shape
+  Buffer_of<Backend, Range> range; // these by shape
+  Buffer_of<Backend, std::uint32_t> home;
 };
 
-// About so many points of each shape with is_sampled(id), or all of them, of all ranks.
+// The homes of so many shapes: the only rank with sampled points of a shape, or all ranks. To the points of this rank come
+// those of the others for the shapes that all ranks have.
+template <class Backend>
+std::vector<std::uint32_t> share_points(const Ranks<Backend>& ranks, std::size_t shapes,
+                                        std::vector<Keyed_point>& points)
+{
+  constexpr std::uint64_t one = std::uint64_t(1) << 32;
+  std::vector<std::uint64_t> found(shapes, 0); // how many ranks have points, and the sum of their numbers
+  for(const Keyed_point& p : points)
+    found[p.key >> 32] = one + ranks.own_items().rank;
+  std::vector<std::uint32_t> home;
+  for(const std::uint64_t f : ranks.total(std::move(found)))
+    home.push_back(f / one == 1 ? std::uint32_t(f) : Sample_homes::all_ranks);
+  const auto shared = std::stable_partition(
+    points.begin(), points.end(), [&](const Keyed_point& p) { return home[p.key >> 32] != Sample_homes::all_ranks; });
+  const std::vector<Keyed_point> of_all = ranks.gather(std::vector<Keyed_point>(shared, points.end()));
+  points.erase(shared, points.end());
+  points.insert(points.end(), of_all.begin(), of_all.end());
+  return home;
+}
+
+// About so many points of each shape with is_sampled(id), or all of them.
 template <class Backend, class Predicate>
 Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
                                        Predicate is_sampled, std::int64_t expected)
@@ -215,13 +265,18 @@ Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, const Sha
   Backend& backend = points.backend;
   Buffer_of<Backend, std::uint32_t> bound(shapes.size);
   for_each_shape(backend, shapes, Bound_samples<Predicate>{shapes.counted(), is_sampled, expected, bound.data()});
-  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
-                                                 Take_sampled{points.cloud.view(), points.label(), bound.data()});
+  auto keyed = backend.template collect<Keyed_point>(points.cloud.number_of_points(),
+                                                     Take_sampled{points.cloud.view(), points.label(), bound.data()});
+  Sorted_samples<Backend> samples;
+  if constexpr(Ranks<Backend>::are_many) {
+    std::vector<Keyed_point> needed = to_vector(backend, keyed);
+    samples.home = to_buffer(backend, share_points(points.ranks, shapes.size, needed));
+    keyed = to_buffer(backend, needed);
+  }
   const std::size_t n = keyed.size();
   typename Backend::Sort_table table(n);
   backend.for_each(n, Set_sample_key<View>{keyed.data(), table.view()});
   backend.sort(table, 32 + bits_of(shapes.size)); // of the hash, and of the shape
-  Sorted_samples<Backend> samples;
   samples.point.reset(n);
   samples.range = filled_buffer(backend, shapes.size, Range());
   backend.for_each(n, Put_sampled<View>{table.view(), n, keyed.data(), samples.point.data(), samples.range.data()});
@@ -251,10 +306,10 @@ template <class Backend, class Predicate>
 Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_sampled)
 {
   constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
-  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes, is_sampled, expected);
-  Shape_samples<Backend> samples(shapes.size);
+  Sorted_samples<Backend> sorted = sorted_samples(points, shapes, is_sampled, expected);
+  Shape_samples<Backend> samples = {Buffer_of<Backend, Shape_sample>(shapes.size), std::move(sorted.home)};
   points.backend.for_each(shapes.size * Shape_sample::capacity,
-                          Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
+                          Fill_sample{sorted.point.data(), sorted.range.data(), samples.sample.data()});
   return samples;
 }
 

@@ -123,7 +123,8 @@ struct Take_accepted {
 
   CGAL_TANDEM_HD bool has(std::uint32_t i) const
   {
-    return rounds.own.has(i) && rounds.pair[i].tested == round && rounds.pair[i].is_accepted();
+    const Union_pair& p = rounds.pair[i];
+    return p.tested == round && p.is_accepted() && rounds.samples.has_pair(i, p.first, p.second);
   }
   CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const { return {i, rounds.pair[i].key.cost}; }
 };
@@ -135,12 +136,107 @@ struct Put_accepted {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { pair[accepted[i].pair].key.cost = accepted[i].cost; }
 };
 
+// Marks the shapes of which all ranks need the samples now. That of a union is needed if its parts have different homes,
+// and the first one of a pair if its shapes have: else no rank could make the test.
+template <class Backend>
+struct Mark_moved {
+  Union_rounds<Backend> rounds;
+  std::uint8_t* is_moved; // by root
+
+  // Of a shape.
+  CGAL_TANDEM_HD void operator()(std::size_t t) const
+  {
+    const std::uint32_t *home = rounds.samples.home, s = rounds.target[t];
+    if(home[t] != home[s] && home[t] != Sample_homes::none)
+      Backend::atomic_store(is_moved[s], std::uint8_t(1));
+  }
+};
+
+template <class Backend>
+struct Mark_apart {
+  Mark_moved<Backend> mark;
+
+  // Of a pair.
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Union_rounds<Backend>& rounds = mark.rounds;
+    const std::uint32_t a = rounds.target[rounds.pair[i].first], b = rounds.target[rounds.pair[i].second];
+    const std::uint32_t of_a = rounds.samples.home[a], of_b = rounds.samples.home[b];
+    if(of_a != of_b && of_a != Sample_homes::all_ranks && of_b != Sample_homes::all_ranks)
+      Backend::atomic_store(mark.is_moved[a < b ? a : b], std::uint8_t(1));
+  }
+};
+
+struct Sent_sample {
+  std::uint64_t shape; // wide, so that all bytes are defined
+  Shape_sample sample;
+};
+
+// Those that this rank has alone, and of what has just joined a shape of all ranks, if it has points of less hash.
+template <class Backend>
+struct Take_moved {
+  Mark_moved<Backend> mark;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t t) const
+  {
+    const Union_rounds<Backend>& rounds = mark.rounds;
+    const Sample_homes& homes = rounds.samples;
+    const std::uint32_t s = rounds.target[t];
+    return homes.home[t] == homes.own.rank && mark.is_moved[s] &&
+           (homes.home[s] != Sample_homes::all_ranks || has_least(rounds.sample[s], rounds.sample[t]));
+  }
+  CGAL_TANDEM_HD Sent_sample take(std::uint32_t t) const
+  {
+    Sent_sample sent = {t, Shape_sample()};
+    const Shape_sample& sample = mark.rounds.sample[t];
+    sent.sample.size = sample.size;
+    for(std::uint32_t i = 0; i < sample.size; ++i)
+      sent.sample.item[i] = sample.item[i];
+    return sent;
+  }
+};
+
+struct Put_sample {
+  const Sent_sample* sent;
+  Shape_sample* sample; // by shape
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { sample[sent[i].shape] = sent[i].sample; }
+};
+
+template <class Backend>
+struct Move_home {
+  Mark_moved<Backend> mark;
+
+  CGAL_TANDEM_HD void operator()(std::size_t t) const
+  {
+    std::uint32_t& home = mark.rounds.samples.home[t];
+    if(mark.rounds.target[t] != t)
+      home = Sample_homes::none;
+    else if(mark.is_moved[t])
+      home = Sample_homes::all_ranks;
+  }
+};
+
+// After shapes have joined, before their samples are merged.
+template <class Backend>
+void share_samples(Backend& backend, const Ranks<Backend>& ranks, const Union_rounds<Backend>& rounds)
+{
+  auto is_moved = filled_buffer(backend, rounds.shapes, std::uint8_t(0));
+  const Mark_moved<Backend> mark = {rounds, is_moved.data()};
+  backend.for_each(rounds.shapes, mark);
+  backend.for_each(rounds.pairs, Mark_apart<Backend>{mark});
+  const auto sent = collect_of_all<Sent_sample>(backend, ranks, rounds.shapes, Take_moved<Backend>{mark});
+  backend.for_each(sent.size(), Put_sample{sent.data(), rounds.sample});
+  backend.for_each(rounds.shapes, Move_home<Backend>{mark});
+}
+
 template <class Backend>
 void run_unions(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Union_rounds<Backend>& rounds)
 {
   if constexpr(!Ranks<Backend>::are_many)
     return backend.run_rounds(rounds.shapes, n, rounds);
-  else
+  else {
+    share_samples(backend, ranks, rounds);
     run_joint_rounds(backend, rounds.shapes, n, rounds, [&](int step, std::size_t round) {
       const std::int32_t mark = std::int32_t(round + 1);
       if(step == Union_rounds<Backend>::test) {
@@ -149,8 +245,14 @@ void run_unions(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, co
         backend.for_each(all.size(), Put_accepted{rounds.pair, all.data()});
       } else if(step == Union_rounds<Backend>::fit)
         spread_fits(backend, ranks, rounds.shapes, Union_fits<Backend>{rounds, mark});
-      return step == Union_rounds<Backend>::join && to_vector(backend, rounds.joins + round % 2, 1).front() == 0;
+      else if(step == Union_rounds<Backend>::join) {
+        if(to_vector(backend, rounds.joins + round % 2, 1).front() == 0)
+          return true;
+        share_samples(backend, ranks, rounds);
+      }
+      return false;
     });
+  }
 }
 
 // The unions along the links. By id: what a shape has joined, in one or more steps up to the root of its union, and the
@@ -184,9 +286,19 @@ Shape_unions<Backend> unite_shapes(const Labeled_cloud<Backend>& points, Shape_t
   unions.total = filled_buffer(backend, 2, std::uint32_t(0));
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   run_unions(backend, points.ranks, (std::max)(n, links.size()),
-             Union_rounds<Backend>{gain, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
-                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
-                                   unions.whole.data(), joins.data(), unions.total.data(), points.ranks.own_items()});
+             Union_rounds<Backend>{gain,
+                                   pair.data(),
+                                   links.size(),
+                                   n,
+                                   shapes.fitted(),
+                                   samples.sample.data(),
+                                   unions.root.data(),
+                                   unions.target.data(),
+                                   start_deltas(backend, shapes, n),
+                                   unions.whole.data(),
+                                   joins.data(),
+                                   unions.total.data(),
+                                   {points.ranks.own_items(), samples.home.data()}});
   return unions;
 }
 

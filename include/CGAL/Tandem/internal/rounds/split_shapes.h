@@ -35,14 +35,14 @@ struct Try_splits {
   const Sampled_point* point;
   const Range* range; // by shape
   Split_trials trials;
-  Own_items own;
+  Sample_homes samples;
   Split* split; // by trial
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     Split result = {};
-    if(own.has(i)) {
-      const std::uint32_t s = id[i / Split_trials::starts];
+    const std::uint32_t s = id[i / Split_trials::starts];
+    if(samples.has_item(i, s)) {
       const Point_sample sample = {point + range[s].first, range[s].size()};
       result = trials(shape[s], sample, int(i % Split_trials::starts));
     }
@@ -331,11 +331,16 @@ Buffer_of<Backend, Accepted_split> find_splits(Labeled_cloud<Backend>& points, S
   const auto id = backend.compact(shapes.size, may_split);
   if(id.size() == 0)
     return {};
-  const Sorted_samples<Backend> sample = sorted_samples(points, shapes, may_split, Split_trials::sample_size);
+  Sorted_samples<Backend> sample = sorted_samples(points, shapes, may_split, Split_trials::sample_size);
   Buffer_of<Backend, Split> trial(id.size() * Split_trials::starts);
   for_each_by_group(backend, trial.size(),
-                    Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), trials,
-                               points.ranks.own_items(), trial.data()});
+                    Try_splits{shapes.fitted(),
+                               id.data(),
+                               sample.point.data(),
+                               sample.range.data(),
+                               trials,
+                               {points.ranks.own_items(), sample.home.data()},
+                               trial.data()});
   points.ranks.sum(reinterpret_cast<std::uint64_t*>(trial.data()), trial.size() * sizeof(Split) / 8);
   auto candidate_of = places_of(backend, shapes.size, id);
   Buffer_of<Backend, std::uint8_t> left(id.size());
