@@ -115,10 +115,7 @@ public:
 
   // Ascending by key; the order of equal keys is not defined, so callers use unique keys or break ties themselves.
   // Where keys have less than 63 bits, their number saves a device time.
-  void sort(Sort_table& table, int = 63)
-  {
-    sort_by_bits(table.begin(), table.end());
-  }
+  void sort(Sort_table& table, int = 63) { sort_by_bits(table.begin(), table.end()); }
 
   // By one lane: see Host_operations.
   template <class Rounds>

@@ -106,7 +106,7 @@ public:
 
 private:
   // More directions a leaf: fewer cells, more tests. Cells of 2^-48 are as narrow as the rounding of a direction.
-  static constexpr std::size_t leaf_size = 8;
+  static constexpr std::size_t leaf_size = 32;
   static constexpr double smallest_half_width = 0x1p-48;
 
   struct Item {
