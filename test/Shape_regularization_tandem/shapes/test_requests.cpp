@@ -3,8 +3,8 @@
 //
 // The state between rounds: labels are live shapes or marks, whose moments are those of the points, and whose planes
 // are those that the points see. Each stage asks for what it reads of what follows from labels: where all of it is out
-// of date, it neither reads it, which an assertion reports, nor has another result. scripts/check_requests.sh removes
-// each request in turn, and expects this test to fail.
+// of date, it neither reads it, which an assertion reports, nor has another result. scripts/seeded_faults.py --requests
+// removes each request in turn, and expects this test to fail.
 
 #include "testing/body_fixture.h"
 
