@@ -113,13 +113,9 @@ BOOST_AUTO_TEST_CASE(random_scenes)
 {
   const std::uint64_t first = argument(1, 1), count = argument(2, is_sanitized ? 15 : 60);
   Totals totals;
-  for(std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Property_case c = Case_maker(seed).make();
-    try {
-      check_shared(detect(c.cloud, c.parameters, c.given), c.cloud, c.name, totals);
-    } catch(const CGAL::Tandem::Parameter_error&) {
-    } // too wide: test_properties
-  }
+  on_random_cases(first, count, [&](const Property_case& c) {
+    check_shared(detect(c.cloud, c.parameters, c.given), c.cloud, c.name, totals);
+  });
   // Far from the origin, where coordinates are rounded to a fraction of the spacing, outlines that would not be simple
   // with the vertices of others do without them.
   CHECK(count < 40 || double(totals.common_edges) >= .97 * double(totals.overlaps));
