@@ -39,6 +39,15 @@ inline Cloud to_cloud(const scenes::Scene& scene)
   return cloud;
 }
 
+// First scaled, then shifted. Powers of two scale exactly.
+inline Cloud transformed(const Cloud& cloud, double scale, const Kernel::Vector_3& shift = {0, 0, 0})
+{
+  Cloud result;
+  for(const auto& item : cloud)
+    result.emplace_back(CGAL::ORIGIN + scale * (item.first - CGAL::ORIGIN) + shift, item.second);
+  return result;
+}
+
 inline scenes::Options scene_options(std::size_t points, double noise = 0, double outliers = 0)
 {
   return {points, noise, outliers};
