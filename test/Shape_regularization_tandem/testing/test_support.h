@@ -83,6 +83,9 @@ extern template Shapes detect<CGAL::Sequential_tag>(const Cloud&, const Paramete
 extern template Shapes detect<CGAL::Parallel_tag>(const Cloud&, const Parameters&, Given);
 #endif
 
+// What is wrong with a result, or nothing. is_valid_result() gives a reason exactly if it refuses it.
+std::string violation(const Cloud& cloud, const Shapes& shapes, Given given = Given::normals);
+
 // All that the package promises, whatever the scene is.
 void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given = Given::normals);
 
