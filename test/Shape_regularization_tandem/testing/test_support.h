@@ -135,6 +135,23 @@ inline void check_same(const Shapes& a, const Shapes& b, const std::string& name
   check_same_planes(a, b, name);
 }
 
+// Iterates both and finishes them, after which the caller compares what they have found. A difference is reported with
+// the round in which it comes up.
+template <class Detection, class Expected>
+void compare_rounds(Detection& detection, Expected& expected, const std::string& name)
+{
+  const int failures_before = failures();
+  bool goes_on = true;
+  for(int round = 0; goes_on && failures() == failures_before; ++round) {
+    goes_on = expected.iterate();
+    const std::string where = name + ", round " + std::to_string(round);
+    CHECK_AT(detection.iterate() == goes_on, where + ": one of them has ended");
+    check_same(detection.shapes(), expected.shapes(), where);
+  }
+  expected.finish();
+  detection.finish();
+}
+
 inline void shuffle(Cloud& cloud, std::uint64_t seed)
 {
   scenes::Random random(seed);
