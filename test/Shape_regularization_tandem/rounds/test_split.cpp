@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,11 +122,6 @@ std::vector<Shape> fitted_shapes(const Fixture& f, std::size_t n)
     if(s.is_live())
       refit(s);
   return shape;
-}
-
-std::set<std::uint32_t> listed(const Cell_shapes& list)
-{
-  return std::set<std::uint32_t>(list.shape, list.shape + (std::min)(list.size, Cell_shapes::capacity));
 }
 
 // What follows from labels, which are those of the fixture.

@@ -114,11 +114,6 @@ BOOST_AUTO_TEST_CASE(links_of_clouds)
   });
 }
 
-std::multiset<std::uint32_t> listed(const Cell_shapes& list)
-{
-  return std::multiset<std::uint32_t>(list.shape, list.shape + (std::min)(list.size, Cell_shapes::capacity));
-}
-
 // Moments and boxes that were wrong are those of the labels, also of shapes that have no point any more; and so are the
 // lists, of few shapes a cell, and of more than fit into one.
 BOOST_AUTO_TEST_CASE(sums_and_lists)
