@@ -72,7 +72,9 @@ struct Fixture {
   }
 
   // So many shapes, with the points of their labels.
-  std::vector<Shape> shapes_of_labels(std::size_t n) const
+  std::vector<Shape> shapes_of_labels(std::size_t n) const { return shapes_of_labels(n, label); }
+
+  std::vector<Shape> shapes_of_labels(std::size_t n, const std::vector<std::uint32_t>& label) const
   {
     std::vector<Shape> shape(n);
     for(std::uint32_t i = 0; i < label.size(); ++i)
