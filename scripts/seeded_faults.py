@@ -1,9 +1,14 @@
+#!/usr/bin/env python3
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-#
-# Of seeded_faults.sh. All faults are compiled at once into a copy of the sources, and the variable TANDEM_FAULT chooses
-# one when a program runs. First, all tests have to pass without any. Tests that build packages or need a browser are left
-# out.
+"""Says which tests notice each of the faults of test/Shape_regularization_tandem/seeded_faults.txt. Whoever removes or
+joins tests runs it before and after.
+
+All faults are compiled at once into a copy of the sources, and the variable TANDEM_FAULT chooses one when a program runs.
+First, all tests have to pass without any. Tests that build packages or need a browser are left out.
+
+With --requests, each fault drops a request of a stage for what follows from labels: without it, test_requests has to
+fail. The variable CXX is the compiler of this test (default: g++)."""
 
 import argparse
 import os
@@ -51,14 +56,32 @@ def with_faults(sources, faults):
     return {path: text for path, text in changed.items() if text != sources[path]}
 
 
-def make_copy(folder, faults):
-    """The tracked files with the faults; those that stay as they are keep their time, for the next build."""
+def with_requests(sources, places):
+    """The sources in which each fault drops a table that a call of update_tables() names, or a call of states_of(). Adds
+    where these are to the list."""
+    changed = {}
+    for path in sorted(path for path in sources if "internal" in path.parts):
+        def dropped(call):
+            places.append(f"{path}:{number}: {call[0]}")
+            nothing = "0" if call[0].startswith("tables::") else "points.state()"
+            return f"(CGAL_TANDEM_FAULT({len(places)}) ? {nothing} : {call[0]})"
+        lines = sources[path].split("\n")
+        for number, line in enumerate(lines, 1):
+            tables = r"tables::[a-z]+|" if "update_tables(points" in line else ""
+            lines[number - 1] = re.sub(tables + r"states_of\(points, [^()]*\)", dropped, line)
+        changed[path] = "\n".join(lines)
+    return {path: text for path, text in changed.items() if text != sources[path]}
+
+
+def make_copy(folder, change):
+    """The tracked files, some of them as change(sources) has them. Those that stay as they are keep their time, for the
+    next build."""
     names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout.split(b"\0")
     paths = [path for path in map(pathlib.Path, map(os.fsdecode, names)) if (ROOT / path).is_file()]
     contents = {folder / path: (ROOT / path).read_bytes() for path in paths}
     sources = {path: (ROOT / path).read_text() for path in paths
                if path.parts[0] in ("include", "examples") and path.suffix in (".h", ".cpp")}
-    for path, text in with_faults(sources, faults).items():
+    for path, text in change(sources).items():
         contents[folder / path] = f'#include "{folder}/seeded_fault.h"\n{text}'.encode()
     contents[folder / "seeded_fault.h"] = HEADER.encode()
     for old in folder.rglob("*"):
@@ -69,6 +92,26 @@ def make_copy(folder, faults):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
         path.chmod(0o755 if content.startswith(b"#!") else 0o644)
+
+
+def check_requests(folder):
+    places = []
+    make_copy(folder, lambda sources: with_requests(sources, places))
+    tests, program = folder / "test/Shape_regularization_tandem", folder / "test_requests"
+    subprocess.run([os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-DBOOST_TEST_DYN_LINK", f"-I{folder}/include",
+                    f"-I{tests}", "-I/usr/include/eigen3", tests / "testing/main.cpp", tests / "shapes/test_requests.cpp",
+                    *tests.glob("scenes/*.cpp"), "-lboost_unit_test_framework", "-lgmp", "-lmpfr", "-lpthread", "-o",
+                    program], check=True)
+
+    def passes(number):
+        return subprocess.run([program], env={**os.environ, "TANDEM_FAULT": str(number)}, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL).returncode == 0
+    if not passes(0):
+        sys.exit("seeded_faults: test_requests fails without a fault")
+    superfluous = [place for number, place in enumerate(places, 1) if passes(number)]
+    if superfluous:
+        sys.exit("\n".join(["seeded_faults: these requests are not needed, or no test needs them:", *superfluous]))
+    print(f"Each of {len(places)} requests is needed.")
 
 
 def build(folder):
@@ -87,16 +130,21 @@ def failed_tests(folder, number, *options):
 
 
 def main():
-    arguments = argparse.ArgumentParser(prog="seeded_faults.sh", description="Says which tests notice each of the faults.")
-    arguments.add_argument("folder", nargs="?", default=ROOT / "build/faults/source", help="for the copy")
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("folder", nargs="?", help="for the copy")
+    arguments.add_argument("--requests", action="store_true", help="checks that each request is needed")
     arguments.add_argument("--only", metavar="N,M", help="the numbers of the faults to try")
     arguments.add_argument("--all", action="store_true", help="goes on where a test has noticed")
     arguments.add_argument("--exclude", default="^$", metavar="REGEX", help="tests that are not run")
     arguments.add_argument("--step", choices=["copy", "build", "run"], help="only this one of the three")
     a = arguments.parse_args()
-    folder, faults = pathlib.Path(a.folder).resolve(), list(read_faults())
+    folder = pathlib.Path(a.folder or ROOT / "build" / ("requests" if a.requests else "faults/source")).resolve()
+    if a.requests:
+        check_requests(folder)
+        return
+    faults = list(read_faults())
     if a.step in (None, "copy"):
-        make_copy(folder, faults)
+        make_copy(folder, lambda sources: with_faults(sources, faults))
     if a.step in (None, "build"):
         build(folder)
     if a.step not in (None, "run"):

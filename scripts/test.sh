@@ -114,7 +114,7 @@ run_doc() { scripts/check_doc.sh; }
 
 run_cost()
 {
-  scripts/check_requests.sh
+  scripts/seeded_faults.py --requests
   scripts/cost.sh
 }
 

@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H
 
 #include "contestants/Contestant.h"
-#include "criteria/results.h"
+#include "criteria/table.h"
 
 namespace CGAL::Tandem::benchmark {
 

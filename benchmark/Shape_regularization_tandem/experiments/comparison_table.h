@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H
 
-#include "criteria/results.h"
+#include "criteria/table.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -6,8 +6,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_API_SUPPORT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_API_SUPPORT_H
 
-#include "testing/measured_violation.h"
 #include "testing/test_support.h"
+
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <limits>
 
@@ -31,12 +32,6 @@ auto detect_in(const Pairs<Other>& cloud, const Parameters& parameters)
 {
   return CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
     cloud, np::settings(parameters).point_map(First<Other>()).normal_map(Second<Other>()));
-}
-
-// What is wrong with a result, or nothing. is_valid_result() gives a reason exactly if it refuses it.
-inline std::string violation(const Cloud& cloud, const Shapes& shapes, Given given = Given::normals)
-{
-  return given == Given::normals ? violation_of(cloud, shapes, maps) : violation_of(cloud, shapes, positions);
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_API_SUPPORT_H

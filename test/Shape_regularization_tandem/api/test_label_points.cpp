@@ -188,8 +188,7 @@ BOOST_AUTO_TEST_CASE(test_coplanar)
   for(int exponent : {-600, 600}) {
     Case scaled = c;
     for(Cloud* cloud : {&scaled.part, &scaled.whole})
-      for(auto& item : *cloud)
-        item.first = CGAL::ORIGIN + std::ldexp(1, exponent) * (item.first - CGAL::ORIGIN);
+      *cloud = transformed(*cloud, std::ldexp(1, exponent));
     const double distance = std::ldexp(c.shapes.parameters().maximum_distance, exponent);
     scaled.shapes = detect_valid(c.name, scaled.part, make_parameters(distance, 30));
     CHECK_AT(labels_of(scaled, scaled.whole, true) == by_points, std::to_string(exponent));

@@ -4,14 +4,10 @@
 // The arithmetic below all decisions, against long double and brute force: packed
 // normals, the predicate fits(), levels of tolerances, moments, fits, eigenvectors.
 
-#include "testing/random_points.h"
-#include "testing/test_support.h"
+#include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/engine/make_stage_parameters.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#endif
 #include <Eigen/Dense>
 
 BOOST_AUTO_TEST_SUITE(test_bodies)
@@ -147,11 +143,6 @@ BOOST_AUTO_TEST_CASE(factors_of_levels)
   check_equal(most.at(8).squared_cosine, most.squared_cosine, "the angle of level 8");
 }
 
-bool equal(const Moments& a, const Moments& b)
-{
-  return a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) && std::equal(a.product, a.product + 6, b.product);
-}
-
 // The same sums three ways: in grid coordinates, relative to a point, and by words
 // with their carry, where points are also taken out again.
 template <class Backend>
@@ -183,8 +174,8 @@ void check_moments()
         box.add(part_box);
         const std::string where =
           std::string(Backend::name()) + ", " + std::to_string(bits) + " bits, part " + std::to_string(part);
-        CHECK_AT(equal(left, whole), where + ": shifted");
-        CHECK_AT(equal(shared.moments(), whole), where + ": shared");
+        CHECK_AT(are_equal(left, whole), where + ": shifted");
+        CHECK_AT(are_equal(shared.moments(), whole), where + ": shared");
         CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) &&
                    std::equal(box.high, box.high + 3, shared.box.high),
                  where);

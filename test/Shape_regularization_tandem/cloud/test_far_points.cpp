@@ -33,19 +33,11 @@ BOOST_AUTO_TEST_CASE(quantiles)
   }
 }
 
-Cloud moved_house()
-{
-  Cloud cloud = to_cloud(scenes::make_scene("house", scene_options(8000)));
-  for(auto& item : cloud)
-    item.first = item.first + Kernel::Vector_3(694386.25, 5155487.5, 380);
-  return cloud;
-}
-
 void check_far_points(std::size_t number, const Kernel::Point_3& where)
 {
   const std::string name = std::to_string(number) + " far points";
   const Parameters parameters = make_parameters(.02, 60);
-  Cloud cloud = moved_house();
+  Cloud cloud = transformed(to_cloud(scenes::make_scene("house", scene_options(8000))), 1, {694386.25, 5155487.5, 380});
   const Shapes alone = detect(cloud, parameters);
   for(std::size_t i = 0; i < number; ++i)
     cloud.insert(cloud.begin() + std::ptrdiff_t(i * 90), {where, Kernel::Vector_3(0, 0, 1)});

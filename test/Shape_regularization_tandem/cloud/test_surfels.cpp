@@ -182,18 +182,6 @@ void check_surfel(Surfel_cloud<Backend>& s, std::uint32_t i, const Leveled_point
 }
 
 template <class Backend>
-void check_cells(Surfel_cloud<Backend>& s, std::size_t cell_size, const std::string& name)
-{
-  std::uint32_t next = 0;
-  for(const Range& cell : s.ranges) {
-    CHECK_AT(cell.first == next && cell.size() > 0, name + ": cells follow each other");
-    CHECK_AT(cell.size() <= cell_size, name + ": surfels of a cell: " + std::to_string(cell.size()));
-    next = cell.last;
-  }
-  check_equal(std::size_t(next), s.cloud.number_of_surfels(), name + ": cells have all surfels");
-}
-
-template <class Backend>
 void check_surfels(Backend& backend, const std::string& of, const Case& c, const Leveled_points& p)
 {
   const std::string name = of + ", " + c.text();
@@ -205,7 +193,7 @@ void check_surfels(Backend& backend, const std::string& of, const Case& c, const
   check_equal(s.cloud.number_of_points(), c.points, name + ": number of points");
   for(std::uint32_t i = 0; i < s.cloud.number_of_surfels(); ++i)
     check_surfel(s, i, p, c.cells, size, name);
-  check_cells(s, 64, name);
+  check_ranges(s.ranges, s.cloud.number_of_surfels(), 64, name);
 }
 
 BOOST_AUTO_TEST_CASE(surfels_of_cubes)

@@ -21,14 +21,6 @@ Cloud make_cloud(const std::string& name, const scenes::Options& options)
   return cloud;
 }
 
-Cloud moved(const Cloud& cloud, const Kernel::Vector_3& shift, double scale = 1)
-{
-  Cloud result;
-  for(const auto& item : cloud)
-    result.emplace_back(CGAL::ORIGIN + scale * (item.first - CGAL::ORIGIN) + shift, item.second);
-  return result;
-}
-
 void check_same_labels(const Shapes& a, const Shapes& b, const std::string& name)
 {
   const long at = first_difference(a.shape_indices(), b.shape_indices());
@@ -73,7 +65,7 @@ BOOST_AUTO_TEST_CASE(test_frames)
       const auto check = [&](const Kernel::Vector_3& shift, double scale) {
         const std::string where = name + (", at " + std::to_string(shift.x())) + ", scaled by " + std::to_string(scale);
         const Shapes shapes =
-          detect_valid(where, moved(cloud, shift, scale), make_parameters(scale * epsilon, 60), given);
+          detect_valid(where, transformed(cloud, scale, shift), make_parameters(scale * epsilon, 60), given);
         if(scale == .3048)
           check_counts(where, shapes, expected.number_of_shapes(), expected.number_of_parallel_groups(),
                        expected.number_of_coplanar_groups());
@@ -100,7 +92,7 @@ BOOST_AUTO_TEST_CASE(test_turned_tiles)
   for(int n : {1, 4, 7}) {
     Cloud all;
     for(int tile = 0; tile < n * n; ++tile)
-      for(const auto& item : moved(one, Kernel::Vector_3(2.3 * (tile / n), 2.3 * (tile % n), 0)))
+      for(const auto& item : transformed(one, 1, {2.3 * (tile / n), 2.3 * (tile % n), 0}))
         all.push_back(item);
     const std::string name = std::to_string(n * n) + " cubes";
     // Across 49 cubes, all of the same noise, the common direction is not as precise as the offsets: one plane costs more

@@ -59,19 +59,6 @@ struct Totals {
   std::size_t shapes = 0, coplanar = 0, orthogonal = 0;
 };
 
-// More than 2^24 times maximum_distance, up to rounding: then the detection throws.
-bool is_too_wide(const Property_case& c)
-{
-  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for(const auto& item : c.cloud)
-    for(int k = 0; k < 3 && std::isfinite(item.first.x() + item.first.y() + item.first.z()); ++k) {
-      low[k] = (std::min)(low[k], item.first[k]);
-      high[k] = (std::max)(high[k], item.first[k]);
-    }
-  const double extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  return c.parameters.maximum_distance > 0 && extent > .999 * 0x1p24 * c.parameters.maximum_distance;
-}
-
 // Parameters that were given are those of the result.
 bool has_parameters(const Shapes& shapes, const Parameters& given)
 {
@@ -105,16 +92,7 @@ BOOST_AUTO_TEST_CASE(test_random_cases)
 {
   const std::uint64_t first = argument(1, 1), count = argument(2, argument(1, 0) > 0 ? 1 : 100);
   Totals totals;
-  for(std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Property_case c = Case_maker(seed).make();
-    try {
-      check_case(c, totals);
-    } catch(const CGAL::Tandem::Parameter_error& e) {
-      CHECK_AT(is_too_wide(c), c.name + ": " + e.what());
-    } catch(const std::exception& e) {
-      CHECK_AT(false, c.name + ": " + e.what());
-    }
-  }
+  on_random_cases(first, count, [&](const Property_case& c) { check_case(c, totals); });
   CHECK_AT(count < 100 || (totals.shapes > 300 && totals.coplanar > 5 && totals.orthogonal > 20),
            std::to_string(totals.shapes) + " shapes, " + std::to_string(totals.coplanar) + " coplanar, " +
              std::to_string(totals.orthogonal) + " orthogonal pairs");

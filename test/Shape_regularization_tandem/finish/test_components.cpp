@@ -90,7 +90,6 @@ BOOST_AUTO_TEST_CASE(components)
       separate_components(points, shapes, options, true);
       check_lists(to_vector(backend, points.label(), n), separate, name + ": separate components");
       check_equal(shapes.size, number, name + ": number of shapes");
-      CHECK_AT(shapes.has_moments(), name + ": moments have to be made again");
       std::vector<Shared_moments> sums(number);
       for(std::uint32_t i = 0; i < n; ++i)
         if(separate[i] < first_mark)

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(center_of_large_components)
     }
     CHECK_AT(f.cloud.size < 100 || freed > 0, name + ": no small component");
     set_labels(points, f.label);
-    shapes.invalidate_moments();
+    shapes.table() = to_buffer(backend, f.shapes_of_labels(f.plane.size()));
     center_shapes(points, shapes, options, relations);
     for(std::size_t s = 0; s < sum.size(); ++s)
       CHECK_AT(count[s] == 0 || std::fabs(sum[s] / count[s] - relations.relations.planes[s].offset) < 1e-3,

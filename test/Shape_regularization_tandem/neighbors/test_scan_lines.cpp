@@ -8,6 +8,7 @@
 #include "testing/body_fixture.h"
 
 #include "scenes/labeled_scenes.h"
+#include "scenes/sensor.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Tandem/internal/neighbors/cross_scan_lines.h>
@@ -131,49 +132,36 @@ enum Part { floor_part, left_wall, right_wall, cable, pole, fence };
 struct Street {
   Cloud cloud;
   std::vector<Part> part;
-  std::vector<int> beam;
 
   Street()
   {
-    scenes::Random random(7);
-    constexpr double degree = 3.14159265358979 / 180;
-    for(int b = 0; b < 32; ++b)
-      for(int a = 0; a < 1800; ++a) {
-        const double e = (-15 + 30. / 31 * b) * degree, azimuth = .2 * a * degree;
-        const scenes::Vec d = {std::cos(e) * std::cos(azimuth), std::cos(e) * std::sin(azimuth), std::sin(e)};
-        const auto [distance, hit] = first_hit(d);
-        if(distance > 40 || (hit == left_wall || hit == right_wall ? d.z * distance > 10 : false))
-          continue;
-        add(cloud, (distance + .02 * random.gaussian()) * d, {0, 0, 0});
-        part.push_back(hit);
-        beam.push_back(b);
-      }
+    using namespace scenes;
+    Model model;
+    model.add_rectangle(Frame().at({-40, -6, -1.8}), 80, 14);
+    for(const double y : {-6., 8.})
+      model.add_rectangle(Frame().at({-40, y, -1.8}).upright(), 80, 11.8);
+    const auto along_x = [](double width, double y, double z) {
+      return Frame().at({-width / 2, y, z}).with_axes({0, 1, 0}, {0, 0, 1});
+    };
+    model.curved = {{along_x(78, 1, 3), .03, 78, false}, {Frame().at({-4, 2, -1.8}), .15, 3.6, false}};
+    for(int wire = 0; wire < 8; ++wire)
+      model.curved.push_back({along_x(20, 4, -1.7 + .15 * wire), .01, 20, false});
+    const Scene scene = scan(model, {Sensor_kind::lidar, Frame(), 1800, 32, 6.2831853, .5235988, -.2617994, .02, 7});
+    for(std::size_t i = 0; i < scene.points.size(); ++i) {
+      const Vec& p = scene.ideal[i];
+      if(length(p) > 40)
+        continue;
+      add(cloud, scene.points[i], {0, 0, 0});
+      part.push_back(part_of(scene.label[i], p));
+    }
   }
 
 private:
-  static std::pair<double, Part> first_hit(const scenes::Vec& d)
+  static Part part_of(int label, const scenes::Vec& p)
   {
-    std::pair<double, Part> first = {1000, floor_part};
-    const auto hits = [&](double distance, Part hit) {
-      if(distance > .5 && distance < first.first)
-        first = {distance, hit};
-    };
-    hits(-1.8 / d.z, floor_part);
-    hits(8 / d.y, left_wall);
-    hits(-6 / d.y, right_wall);
-    // Around an axis in x or z through (u, v), in the plane of d.x or d.z and the others; within a distance on it.
-    const auto hits_tube = [&](double along, double du, double dv, double u, double v, double radius, double reach,
-                               Part hit) {
-      const double a = du * du + dv * dv, b = du * u + dv * v, c = u * u + v * v - radius * radius;
-      const double root = b * b - a * c, distance = root < 0 ? 0 : (b - std::sqrt(root)) / a;
-      if(std::fabs(along * distance) < reach)
-        hits(distance, hit);
-    };
-    hits_tube(d.x, d.y, d.z, 1, 3, .03, 39, cable);
-    hits_tube(d.z, d.x, d.y, -4, 2, .15, 1.8, pole);
-    for(int wire = 0; wire < 8; ++wire)
-      hits_tube(d.x, d.y, d.z, 4, -1.7 + .15 * wire, .01, 10, fence);
-    return first;
+    if(label < 0)
+      return p.z > 2 ? cable : p.y < 3 ? pole : fence;
+    return p.z < -1.7999 ? floor_part : p.y > 0 ? left_wall : right_wall;
   }
 };
 

@@ -342,13 +342,9 @@ BOOST_AUTO_TEST_CASE(random_scenes)
 {
   Totals t;
   const std::uint64_t first = argument(1, 1), count = argument(2, is_sanitized ? 10 : 60);
-  for(std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Property_case c = Case_maker(seed).make();
-    try {
-      check_case({c.name, c.cloud, detect(c.cloud, c.parameters, c.given)}, t);
-    } catch(const CGAL::Tandem::Parameter_error&) {
-    } // too wide: test_properties
-  }
+  on_random_cases(first, count, [&](const Property_case& c) {
+    check_case({c.name, c.cloud, detect(c.cloud, c.parameters, c.given)}, t);
+  });
   CHECK(count == 1 || (t.polygons > 0 && double(t.inside) > .8 * double(t.points)));
 }
 

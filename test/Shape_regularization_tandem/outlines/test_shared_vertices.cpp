@@ -113,13 +113,9 @@ BOOST_AUTO_TEST_CASE(random_scenes)
 {
   const std::uint64_t first = argument(1, 1), count = argument(2, is_sanitized ? 15 : 60);
   Totals totals;
-  for(std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Property_case c = Case_maker(seed).make();
-    try {
-      check_shared(detect(c.cloud, c.parameters, c.given), c.cloud, c.name, totals);
-    } catch(const CGAL::Tandem::Parameter_error&) {
-    } // too wide: test_properties
-  }
+  on_random_cases(first, count, [&](const Property_case& c) {
+    check_shared(detect(c.cloud, c.parameters, c.given), c.cloud, c.name, totals);
+  });
   // Far from the origin, where coordinates are rounded to a fraction of the spacing, outlines that would not be simple
   // with the vertices of others do without them.
   CHECK(count < 40 || double(totals.common_edges) >= .97 * double(totals.overlaps));
@@ -133,15 +129,11 @@ BOOST_AUTO_TEST_CASE(units)
   const Shapes shapes = detect(cloud, make_parameters(.02, 50));
   const Areas expected = areas_of(shapes, cloud);
   for(int exponent : {-960, -300, -1, 1, 300, 1000}) {
-    Cloud scaled;
-    for(const auto& [p, n] : cloud)
-      scaled.emplace_back(
-        Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)), n);
     Shapes::Data data = shapes.data();
     for(auto& c : data.coefficients)
       c[3] = std::ldexp(c[3], exponent);
     data.parameters.maximum_distance = std::ldexp(data.parameters.maximum_distance, exponent);
-    const Areas areas = areas_of(Shapes(data), scaled);
+    const Areas areas = areas_of(Shapes(data), transformed(cloud, std::ldexp(1, exponent)));
     const std::string name = "2^" + std::to_string(exponent);
     CHECK_AT(areas.points().size() == expected.points().size(), name);
     for(std::size_t i = 0; i < (std::min)(areas.points().size(), expected.points().size()); ++i)

@@ -222,16 +222,9 @@ std::size_t compare_lists(const std::string& name, const Cloud& cloud, const Lis
   using Detection = CGAL::Tandem::Planar_shape_detection_3<Traits<Normal_map>>;
   Detection expected(cloud, list, {~seed, Work::at_once}), late(cloud, list, {seed, Work::late});
   const int failures_before = failures();
-  bool goes_on = true;
-  for(int round = 0; goes_on && failures() == failures_before; ++round) {
-    goes_on = expected.iterate();
-    const std::string where = name + ", seed " + std::to_string(seed) + ", round " + std::to_string(round);
-    CHECK_AT(late.iterate() == goes_on, where + ": one of them has ended");
-    check_same(late.shapes(), expected.shapes(), where);
-  }
-  expected.finish();
-  late.finish();
-  const std::string where = name + ", seed " + std::to_string(seed) + ", after the end game";
+  const std::string name_and_seed = name + ", seed " + std::to_string(seed);
+  compare_rounds(late, expected, name_and_seed);
+  const std::string where = name_and_seed + ", after the end game";
   check_same(late.shapes(), expected.shapes(), where);
   CHECK_AT(late.shapes().hash() == expected.shapes().hash(), where + ": the normals differ");
   return failures() > failures_before ? 0 : expected.shapes().number_of_shapes();

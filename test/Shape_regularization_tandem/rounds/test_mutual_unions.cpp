@@ -284,9 +284,7 @@ BOOST_AUTO_TEST_CASE(samples)
         take_cloud(f, points);
         points.cloud.first = first;
         set_labels(points, label);
-        auto shapes = make_table(backend, std::vector<Shape>(n));
-        shapes.invalidate_moments();
-        update_tables(points, shapes, tables::moments);
+        auto shapes = make_table(backend, f.shapes_of_labels(n, label));
         const auto got = sample_shapes(points, shapes, Has_points{shapes.counted(), 1});
         for(std::size_t s = 0; s < n; ++s) {
           const std::string where = name + ", shape " + std::to_string(s) + " of " + std::to_string(all[s].size());

@@ -3,8 +3,8 @@
 //
 // The state between rounds: labels are live shapes or marks, whose moments are those of the points, and whose planes
 // are those that the points see. Each stage asks for what it reads of what follows from labels: where all of it is out
-// of date, it neither reads it, which an assertion reports, nor has another result. scripts/check_requests.sh removes
-// each request in turn, and expects this test to fail.
+// of date, it neither reads it, which an assertion reports, nor has another result. scripts/seeded_faults.py --requests
+// removes each request in turn, and expects this test to fail.
 
 #include "testing/body_fixture.h"
 
@@ -102,10 +102,10 @@ BOOST_AUTO_TEST_CASE(state_after_rounds)
 using Link_buffer = Sequential_backend::Buffer<Link>;
 using Stage = std::function<void(State&, Link_buffer&)>;
 
-// Lists, moments, fits and interior bits are out of date. The bits are wrong, too: of all points.
+// Lists, fits and interior bits are out of date. The bits are wrong, too: of all points.
 void spoil(State& t)
 {
-  t.shapes.invalidate_moments();
+  t.shapes.change_moments();
   const Labels_view labels = t.points.change_labels(false);
   t.points.invalidate_interior();
   for(std::size_t i = 0; i < t.points.cloud.number_of_surfels(); ++i)
@@ -152,18 +152,21 @@ void check_stage(const std::string& name, const Stage& stage)
   CHECK_AT(std::get<2>(got) == std::get<2>(expected), name + ": links");
 }
 
+void merge_with_those_before(State& t)
+{
+  auto target = identity_targets(t.points.backend, t.shapes.size);
+  for(std::size_t id = 0; id < target.size(); ++id)
+    target[id] = std::uint32_t(id & ~std::size_t(1));
+  merge_surfels(t.points, t.shapes, target);
+}
+
 BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
   check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options, true); });
   check_stage("dropping", [](State& t, Link_buffer&) {
     drop_shapes(t.points, t.shapes, [](const Shape& s, std::size_t) { return s.moments.count < 200; });
   });
-  check_stage("a merge of shapes with those before them", [](State& t, Link_buffer&) {
-    auto target = identity_targets(t.points.backend, t.shapes.size);
-    for(std::size_t id = 0; id < target.size(); ++id)
-      target[id] = std::uint32_t(id & ~std::size_t(1));
-    merge_surfels(t.points, t.shapes, target);
-  });
+  check_stage("a merge of shapes with those before them", [](State& t, Link_buffer&) { merge_with_those_before(t); });
   check_stage("links of some shapes", [](State& t, Link_buffer& links) {
     for(std::size_t id = 0; id < t.shapes.size; ++id)
       t.shapes.table()[id].history.is_linked = id % 4 != 0;
@@ -197,11 +200,8 @@ BOOST_AUTO_TEST_CASE(requests_of_end_game)
   });
   check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
   check_stage("splits", [](State& t, Link_buffer&) {
-    const Labels_view labels = t.points.change_labels(false);
-    t.shapes.invalidate_moments();
-    for(std::size_t i = 0; i < t.points.cloud.number_of_surfels(); ++i)
-      if(labels.label[i] < first_mark)
-        labels.label[i] &= ~1u; // with the shape before it
+    merge_with_those_before(t);
+    t.points.change_labels(false); // lists are out of date
     t.options.minimum_region_size = 10;
     t.options.score = Score(10, t.points.cloud.k);
     const std::size_t size = t.shapes.size;

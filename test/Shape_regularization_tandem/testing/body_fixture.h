@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tests of the bodies share: sorted clouds with planes and labels, sums made the naive way, and a loop over back
-// ends, of which one shuffles all that the concepts leave open.
+// What the tests of the bodies share: random points of the grid, sorted clouds with planes and labels, sums made the
+// naive way, and a loop over back ends, of which one shuffles all that the concepts leave open.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
@@ -18,7 +18,23 @@
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #endif
 
+#include <set>
+
 namespace CGAL::Tandem::internal {
+
+// In [-2^bits, 2^bits).
+inline std::int32_t random_coordinate(scenes::Random& random, int bits)
+{
+  const std::int64_t range = std::int64_t(1) << bits;
+  return std::int32_t(std::int64_t(random.bits() % std::uint64_t(2 * range)) - range);
+}
+
+inline Grid_point random_point(scenes::Random& random, int bits)
+{
+  const scenes::Vec n = random.direction();
+  return {random_coordinate(random, bits), random_coordinate(random, bits), random_coordinate(random, bits),
+          encode_normal({n.x, n.y, n.z})};
+}
 
 // A sorted cloud, the true planes, and labels of which some are missing or wrong.
 struct Fixture {
@@ -56,7 +72,9 @@ struct Fixture {
   }
 
   // So many shapes, with the points of their labels.
-  std::vector<Shape> shapes_of_labels(std::size_t n) const
+  std::vector<Shape> shapes_of_labels(std::size_t n) const { return shapes_of_labels(n, label); }
+
+  std::vector<Shape> shapes_of_labels(std::size_t n, const std::vector<std::uint32_t>& label) const
   {
     std::vector<Shape> shape(n);
     for(std::uint32_t i = 0; i < label.size(); ++i)
@@ -166,11 +184,30 @@ Shape_table<Backend> make_table(Backend& backend, const std::vector<Shape>& shap
   return shapes;
 }
 
+// The shapes of a cell; of merged ones, some may be there twice. All that fit, where a list has overflown.
+inline std::multiset<std::uint32_t> listed(const Cell_shapes& list)
+{
+  return std::multiset<std::uint32_t>(list.shape, list.shape + (std::min)(list.size, Cell_shapes::capacity));
+}
+
 template <class T>
 void check_lists(const std::vector<T>& got, const std::vector<T>& expected, const std::string& name)
 {
   const long at = first_difference(got, expected);
   CHECK_AT(at < 0, name + ": the first that differs is " + std::to_string(at));
+}
+
+// Cells follow each other, up to the end; none is empty or too large.
+inline void check_ranges(const std::vector<Range>& cells, std::size_t end, std::size_t cell_size,
+                         const std::string& name)
+{
+  std::uint32_t next = 0;
+  for(const Range& cell : cells) {
+    CHECK_AT(cell.first == next && cell.size() > 0 && cell.size() <= cell_size,
+             name + ", cell at " + std::to_string(cell.first) + " of " + std::to_string(cell.size()));
+    next = cell.last;
+  }
+  CHECK_AT(next == end, name + ": the cells end at " + std::to_string(next));
 }
 
 inline bool are_equal(const Moments& a, const Moments& b)

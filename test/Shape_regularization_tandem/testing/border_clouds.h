@@ -27,13 +27,6 @@ inline Cloud joined(Cloud a, const Cloud& b)
   return a;
 }
 
-inline Cloud moved(Cloud cloud, double x, double y, double z)
-{
-  for(auto& item : cloud)
-    item.first = item.first + Kernel::Vector_3(x, y, z);
-  return cloud;
-}
-
 // Only among the first points: in blocks, those of the first rank.
 inline Cloud spoiled(Cloud cloud, std::size_t n)
 {
@@ -106,14 +99,14 @@ inline std::vector<std::pair<std::string, Cloud>> border_clouds(std::size_t rank
           {"a leaf for each rank", make_cloud("cube", 60 * ranks)},
           {"duplicates in order", joined(cube, cube)},
           {"duplicates anywhere", twice},
-          {"close twins", joined(cube, moved(cube, 1e-9, 0, 0))},
+          {"close twins", joined(cube, transformed(cube, 1, {1e-9, 0, 0}))},
           {"a wall", wall(3000, 30)},
           {"a strip", wall(2000, 3000)},
           {"a line", line},
           {"scan lines", scan_lines()},
-          {"two places", joined(cube, moved(cube, 900, -400, 200))},
-          {"a far point", joined(cube, moved(repeated(1), 30000, 0, 0))},
-          {"a huge offset", moved(cube, 4e6, -5e6, 300)},
+          {"two places", joined(cube, transformed(cube, 1, {900, -400, 200}))},
+          {"a far point", joined(cube, transformed(repeated(1), 1, {30000, 0, 0}))},
+          {"a huge offset", transformed(cube, 1, {4e6, -5e6, 300})},
           {"bad points on one rank", spoiled(cube, cube.size() / ranks)},
           {"nothing but bad points", spoiled(cube, cube.size())},
           {"fewer than a shape needs", make_cloud("cube", 20)}};

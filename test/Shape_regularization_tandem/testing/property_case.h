@@ -361,4 +361,33 @@ private:
   Cloud cloud_;
 };
 
+// More than 2^24 times maximum_distance, up to rounding: then the detection throws.
+inline bool is_too_wide(const Property_case& c)
+{
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for(const auto& item : c.cloud)
+    for(int k = 0; k < 3 && std::isfinite(item.first.x() + item.first.y() + item.first.z()); ++k) {
+      low[k] = (std::min)(low[k], item.first[k]);
+      high[k] = (std::max)(high[k], item.first[k]);
+    }
+  const double extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  return c.parameters.maximum_distance > 0 && extent > .999 * 0x1p24 * c.parameters.maximum_distance;
+}
+
+// f(case) for so many seeds. It throws only where the case is too wide.
+template <class F>
+void on_random_cases(std::uint64_t first, std::uint64_t count, F f)
+{
+  for(std::uint64_t seed = first; seed < first + count; ++seed) {
+    const Property_case c = Case_maker(seed).make();
+    try {
+      f(c);
+    } catch(const CGAL::Tandem::Parameter_error& e) {
+      CHECK_AT(is_too_wide(c), c.name + ": " + e.what());
+    } catch(const std::exception& e) {
+      CHECK_AT(false, c.name + ": " + e.what());
+    }
+  }
+}
+
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_PROPERTY_CASE_H

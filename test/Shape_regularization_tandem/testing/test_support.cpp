@@ -4,11 +4,16 @@
 #include "test_support.h"
 #include "measured_violation.h"
 
-void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given)
+std::string violation(const Cloud& cloud, const Shapes& shapes, Given given)
 {
   const auto list = CGAL::Tandem::parameters::point_map(First<Kernel>());
-  const std::string why = given == Given::normals ? violation_of(cloud, shapes, list.normal_map(Second<Kernel>()))
-                                                  : violation_of(cloud, shapes, list);
+  return given == Given::normals ? violation_of(cloud, shapes, list.normal_map(Second<Kernel>()))
+                                 : violation_of(cloud, shapes, list);
+}
+
+void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given)
+{
+  const std::string why = violation(cloud, shapes, given);
   CHECK_AT(why.empty(), name + ": " + why);
 }
 

@@ -39,6 +39,15 @@ inline Cloud to_cloud(const scenes::Scene& scene)
   return cloud;
 }
 
+// First scaled, then shifted. Powers of two scale exactly.
+inline Cloud transformed(const Cloud& cloud, double scale, const Kernel::Vector_3& shift = {0, 0, 0})
+{
+  Cloud result;
+  for(const auto& item : cloud)
+    result.emplace_back(CGAL::ORIGIN + scale * (item.first - CGAL::ORIGIN) + shift, item.second);
+  return result;
+}
+
 inline scenes::Options scene_options(std::size_t points, double noise = 0, double outliers = 0)
 {
   return {points, noise, outliers};
@@ -73,6 +82,9 @@ extern template Shapes detect<CGAL::Sequential_tag>(const Cloud&, const Paramete
 #ifdef CGAL_LINKED_WITH_TBB
 extern template Shapes detect<CGAL::Parallel_tag>(const Cloud&, const Parameters&, Given);
 #endif
+
+// What is wrong with a result, or nothing. is_valid_result() gives a reason exactly if it refuses it.
+std::string violation(const Cloud& cloud, const Shapes& shapes, Given given = Given::normals);
 
 // All that the package promises, whatever the scene is.
 void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given = Given::normals);
@@ -121,6 +133,23 @@ inline void check_same(const Shapes& a, const Shapes& b, const std::string& name
   const long at = first_difference(a.shape_indices(), b.shape_indices());
   CHECK_AT(at < 0, name + ": the labels differ, first of point " + std::to_string(at));
   check_same_planes(a, b, name);
+}
+
+// Iterates both and finishes them, after which the caller compares what they have found. A difference is reported with
+// the round in which it comes up.
+template <class Detection, class Expected>
+void compare_rounds(Detection& detection, Expected& expected, const std::string& name)
+{
+  const int failures_before = failures();
+  bool goes_on = true;
+  for(int round = 0; goes_on && failures() == failures_before; ++round) {
+    goes_on = expected.iterate();
+    const std::string where = name + ", round " + std::to_string(round);
+    CHECK_AT(detection.iterate() == goes_on, where + ": one of them has ended");
+    check_same(detection.shapes(), expected.shapes(), where);
+  }
+  expected.finish();
+  detection.finish();
 }
 
 inline void shuffle(Cloud& cloud, std::uint64_t seed)

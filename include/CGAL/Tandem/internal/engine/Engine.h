@@ -8,9 +8,9 @@
 // To add a stage:
 // - Put it into the folder of its step. It is a function template on the tables that it reads and writes:
 //   Labeled_cloud, Shape_table, Stage_parameters. Call it here, under a Stage_timer.
-// - It begins with update_tables() of what it reads of what follows from labels: lists of cells, moments, fits. It gets
-//   labels that it changes from change_labels(), and says which of these tables it keeps right. Add it to
-//   test_requests.cpp, which runs each stage where all of these are out of date.
+// - It begins with update_tables() of what it reads of what follows from labels: lists of cells, fits. It gets labels
+//   that it changes from change_labels(), and says which of these tables it keeps right. It always keeps moments right.
+//   Add it to test_requests.cpp, which runs each stage where all of these are out of date.
 // - Loops over surfels and shapes are functors marked CGAL_TANDEM_HD on buffers of the back end, and bodies of a cell
 //   are written on Block, so that a device runs them. A copy to the host waits: only what the host decides on crosses,
 //   once a step. Steps that are repeated until nothing changes are run by run_rounds(), as those of Mutual_unions.h.

@@ -72,7 +72,6 @@ template <class Backend>
 void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  update_tables(points, shapes, tables::moments);
   for_each_shape(backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
   const auto is_checked = filled_buffer(backend, shapes.size, std::uint8_t(1));
   update_surfels(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);

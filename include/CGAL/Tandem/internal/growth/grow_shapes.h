@@ -179,7 +179,7 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
                        const Growth_parameters& options)
 {
   Backend& backend = points.backend;
-  update_tables(points, shapes, tables::moments | tables::lists); // the pass adds to the moments
+  update_tables(points, shapes, tables::lists);
   Border<Backend>& border = points.border;
   const std::size_t cells = points.number_of_cells();
   const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);

@@ -55,14 +55,40 @@ inline Plane_uncertainty plane_uncertainty(const Scatter& s, const Regular_plane
   return u;
 }
 
-// Of a surfel, the points that have its label in the end, for the shape of the result.
-struct Final_members {
+// For each cell: the moments and boxes of the shapes of the result. Of a surfel, the points count that have its label
+// in the end. Successive surfels often have the same shape, so each lane sums a run of them before it looks up a slot.
+template <class Backend>
+struct Sum_moments {
+  Cloud_view cloud;
+  Cells_view cells;
   Final_shapes shapes;
+  Shared_moments* sum; // by shape
 
-  CGAL_TANDEM_HD std::uint32_t shape_of(std::uint32_t i) const { return shapes.shape[i]; }
-  CGAL_TANDEM_HD void add(Shape_run& run, const Surfels_view& surfels, std::uint32_t i, const Grid_point& base) const
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
-    shapes.labels.for_each_point(i, [&](std::uint32_t p) { run.add_point(surfels, p, base, 1); });
+    const Range cell = cells[c];
+    if(cell.size() == 0)
+      return;
+    const Grid_point& base = cloud.point[cell.first];
+    const Cell_sums sums = {cloud.surfels, base, sum};
+    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
+    table.clear(block);
+    block.template accumulate<Shape_run>(
+      cell.size(),
+      [&](std::uint32_t at, Shape_run& run) {
+        const std::uint32_t i = cell.first + at, s = shapes.shape[i];
+        if(s == no_index)
+          return;
+        if(s != run.shape) {
+          add(run);
+          run = Shape_run();
+          run.shape = s;
+        }
+        shapes.labels.for_each_point(i, [&](std::uint32_t p) { run.add_point(cloud.surfels, p, base, 1); });
+      },
+      add);
+    table.template flush<Backend>(block, sums);
   }
 };
 
@@ -85,8 +111,7 @@ void measure_planes(Labeled_cloud<Backend>& points, const Final_shapes& shapes, 
   Backend& backend = points.backend;
   auto sums = filled_buffer(backend, result.size(), Shared_moments());
   backend.template for_each_cell<Moment_table>(
-    points.number_of_parts(),
-    Sum_moments<Backend, Final_members>{points.cloud.view(), points.parts(), {shapes}, sums.data()});
+    points.number_of_parts(), Sum_moments<Backend>{points.cloud.view(), points.parts(), shapes, sums.data()});
   sum_moments(backend, points.ranks, sums.size(), sums.data());
   const std::vector<Shared_moments> moments = to_vector(backend, sums);
   for(std::size_t s = 0; s < result.size(); ++s) {

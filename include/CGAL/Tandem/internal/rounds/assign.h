@@ -414,7 +414,6 @@ public:
   // follows from its size at the beginning.
   void operator()(Shape_table<Backend>& shapes, const Stage_parameters& options)
   {
-    update_tables(points_, shapes, tables::moments);
     Buffer<Assigned_shape> assigned(shapes.size);
     Buffer<std::uint8_t> is_moved(shapes.size);
     for_each_shape(backend_, shapes,

@@ -18,8 +18,9 @@ namespace CGAL::Tandem::internal {
 
 // Loops are over all ids; functors skip those out of use.
 //
-// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what joins
-// shapes, and subtracts what leaves them, or leaves them out of date. update_tables() makes them again.
+// Moments follow from the labels: a pass that changes labels adds what joins shapes, and subtracts what leaves them.
+// Boxes do not shrink. Fits follow from the moments, and are out of date where these have changed; update_tables()
+// makes them again.
 template <class Backend>
 struct Shape_table {
   template <class T>
@@ -31,39 +32,28 @@ struct Shape_table {
   const Buffer<Shape>& table() const { return shape_; }
 
   // The shapes: counted() with the moments of the labels, fitted() with fits of these moments as well.
-  Shape* counted()
-  {
-    assert(has_moments_);
-    return shape_.data();
-  }
-  const Shape* counted() const
-  {
-    assert(has_moments_);
-    return shape_.data();
-  }
+  Shape* counted() { return shape_.data(); }
+  const Shape* counted() const { return shape_.data(); }
   Shape* fitted()
   {
-    assert(has_moments_ && has_fits_);
+    assert(has_fits_);
     return shape_.data();
   }
   const Shape* fitted() const
   {
-    assert(has_moments_ && has_fits_);
+    assert(has_fits_);
     return shape_.data();
   }
 
-  // The shapes, for a pass that changes moments as it changes labels, or leaves them out of date.
+  // The shapes, for a pass that changes moments as it changes labels.
   Shape* change_moments()
   {
     has_fits_ = false;
     return shape_.data();
   }
-  void invalidate_moments() { has_moments_ = has_fits_ = false; }
 
-  // Says that moments are those of the labels, for the passes that make them.
-  void set_counted() { has_moments_ = true; }
+  // Says that fits are of the moments, for the pass that makes them.
   void set_fitted() { has_fits_ = true; }
-  bool has_moments() const { return has_moments_; }
   bool has_fits() const { return has_fits_; }
 
   std::size_t size = 0;              // ids, in use or not; the buffers may have room for more
@@ -74,7 +64,6 @@ struct Shape_table {
 
 private:
   Buffer<Shape> shape_;
-  bool has_moments_ = true; // of no points, at the beginning
   bool has_fits_ = false;
 };
 

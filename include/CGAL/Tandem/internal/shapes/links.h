@@ -185,7 +185,7 @@ Buffer_of<Backend, Link> collect_links(Labeled_cloud<Backend>& points, Shape_tab
                                        Phase phase)
 {
   Backend& backend = points.backend;
-  update_tables(points, shapes, tables::moments | tables::lists);
+  update_tables(points, shapes, tables::lists);
   std::uint8_t* const state = states_of(points, phase);
   Buffer_of<Backend, std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});

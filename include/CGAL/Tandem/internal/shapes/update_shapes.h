@@ -52,7 +52,6 @@ template <class Backend>
 void merge_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
   Backend& backend = points.backend;
-  update_tables(points, shapes, tables::moments);
   Shared_moments* const joined = start_deltas(backend, shapes, shapes.size);
   for_each_shape(backend, shapes, Join_shape<Backend>{shapes.counted(), target.data(), joined});
   for_each_shape(backend, shapes, Take_joined{shapes.change_moments(), joined});
@@ -166,7 +165,6 @@ template <class Backend, class Predicate>
 void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_dropped)
 {
   Targets<Backend> target(shapes.size);
-  update_tables(points, shapes, tables::moments);
   for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.counted(), is_dropped, target.data()});
   merge_surfels(points, shapes, target);
 }

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows from the labels, and is made again where labels have changed since: lists of cells, moments and boxes of
-// shapes, their fits, interior bits. A stage says at its beginning what it reads; tables that are out of date cannot be
-// read.
+// What follows from the labels, and is made again where labels have changed since: lists of cells, fits of shapes,
+// interior bits. A stage says at its beginning what it reads; tables that are out of date cannot be read.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_TABLES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_TABLES_H
@@ -169,80 +168,6 @@ struct Clear_lists {
   CGAL_TANDEM_HD void operator()(std::size_t c) const { lists[c].size = 0; }
 };
 
-// Which points of a surfel count for which shape: all of them, for that of its label.
-struct Members_by_label {
-  const std::uint32_t* label; // by surfel
-
-  CGAL_TANDEM_HD std::uint32_t shape_of(std::uint32_t i) const { return label[i] < first_mark ? label[i] : no_index; }
-  CGAL_TANDEM_HD void add(Shape_run& run, const Surfels_view& surfels, std::uint32_t i, const Grid_point& base) const
-  {
-    run.add(surfels, i, base, 1);
-  }
-};
-
-// For each cell: the moments and boxes of the shapes of its surfels. Successive surfels often have the same shape, so
-// each lane sums a run of them before it looks up a slot.
-template <class Backend, class Members = Members_by_label>
-struct Sum_moments {
-  Cloud_view cloud;
-  Cells_view cells;
-  Members members;
-  Shared_moments* sum; // by shape
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
-  {
-    const Range cell = cells[c];
-    if(cell.size() == 0)
-      return;
-    const Grid_point& base = cloud.point[cell.first];
-    const Cell_sums sums = {cloud.surfels, base, sum};
-    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
-    table.clear(block);
-    block.template accumulate<Shape_run>(
-      cell.size(),
-      [&](std::uint32_t at, Shape_run& run) {
-        const std::uint32_t i = cell.first + at, s = members.shape_of(i);
-        if(s == no_index)
-          return;
-        if(s != run.shape) {
-          add(run);
-          run = Shape_run();
-          run.shape = s;
-        }
-        members.add(run, cloud.surfels, i, base);
-      },
-      add);
-    table.template flush<Backend>(block, sums);
-  }
-};
-
-struct Set_sums {
-  Shape* shape;
-  Shared_moments* sum;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    shape[id].moments = Moments();
-    if(is_any(sum[id]))
-      shape[id].box = Box();
-    Add_deltas{shape, sum}(id);
-  }
-};
-
-// Sums moments and boxes of all shapes again from the labels. Only here do boxes shrink.
-template <class Backend>
-void count_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
-{
-  Backend& backend = points.backend;
-  Shared_moments* const sums = start_deltas(backend, shapes, shapes.size);
-  backend.template for_each_cell<Moment_table>(
-    points.number_of_parts(), Sum_moments<Backend>{points.cloud.view(), points.parts(), {points.label()}, sums});
-  sum_deltas(backend, points.ranks, shapes);
-  for_each_shape(backend, shapes, Set_sums{shapes.change_moments(), sums});
-  shapes.set_counted();
-}
-
 // The fits of shapes whose points have changed.
 struct Changed_shapes {
   Shape* shape;
@@ -277,15 +202,13 @@ std::uint8_t* states_of(Labeled_cloud<Backend>& points, Phase phase)
 
 // What a stage reads, as bits.
 namespace tables {
-constexpr unsigned lists = 1, moments = 2, fits = 4;
+constexpr unsigned lists = 1, fits = 2;
 }
 
-// Makes of these what is out of date. Fits are of moments.
+// Makes of these what is out of date.
 template <class Backend>
 void update_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, unsigned needed)
 {
-  if((needed & (tables::moments | tables::fits)) && !shapes.has_moments())
-    count_shapes(points, shapes);
   if((needed & tables::fits) && !shapes.has_fits())
     fit_shapes(points, shapes);
   if((needed & tables::lists) && !points.has_lists())
