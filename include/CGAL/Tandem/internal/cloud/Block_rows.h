@@ -20,7 +20,7 @@ using Block_entries = std::uint32_t;
 // rank, if `size` exceeds the capacity.
 struct Block_row {
   static constexpr std::uint32_t surfels = 64, capacity = 31;
-  static constexpr Block_entries all = 0x7fffffff;
+  static constexpr Block_entries all = (Block_entries(1) << capacity) - 1;
   std::uint32_t size;
   std::uint32_t block[capacity];
 
@@ -29,7 +29,7 @@ struct Block_row {
   {
     for(std::uint32_t i = 0; i < size && size <= capacity; ++i)
       if(block[i] == b)
-        return Block_entries(1u << i);
+        return 1u << i;
     return 0;
   }
 
@@ -96,7 +96,7 @@ private:
       last_other = is_other ? b : last_other;
       if(is_other && entry == 0)
         entry = r.size > Block_row::capacity ? Block_row::all : r.entry(std::uint32_t(b));
-      entries = Block_entries(entries | entry);
+      entries |= entry;
     }
     if(i < last)
       of_surfel[i] = entries;

@@ -15,6 +15,7 @@
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace CGAL::Tandem::internal {
@@ -394,13 +395,20 @@ Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
     return backend.template sum<5>(
       ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new, minimum_size, untried_cells});
   };
-  auto sums = count();
-  const std::size_t live = std::size_t(sums[3]);
-  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new}, std::size_t(sums[4]));
+  const auto list_started = [&](auto... size) {
+    return backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new}, size...);
+  };
+  Ids started;
+  std::array<std::int64_t, 5> sums;
   if constexpr(Ranks<Backend>::are_many) {
+    started = list_started();
     ids = join_started(backend, points.ranks, shapes, ids, started);
     sums = count();
+  } else {
+    sums = count();
+    started = list_started(std::size_t(sums[4]));
   }
+  const std::size_t live = std::size_t(sums[3]);
   Shared_moments* const delta = shapes.delta.data();
   const bool is_sparse = 2 * live < first_new;
   const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}, live) : Ids();

@@ -117,12 +117,12 @@ private:
   CGAL_TANDEM_HD Block_entries entries_with(std::uint32_t b, Is_one is_one) const
   {
     const std::uint32_t size = row[b].size;
-    unsigned result = size > Block_row::capacity ? Block_row::all : 0u;
+    Block_entries result = size > Block_row::capacity ? Block_row::all : 0u;
     for(std::uint32_t i = 0; result != Block_row::all && i < size; i += Lane_group::size()) {
       const std::uint32_t own = i + Lane_group::rank();
       result |= Lane_group::bits(own < size && is_one(row[b].block[own])) << i;
     }
-    return Block_entries(result);
+    return result;
   }
 
   // Those with labels that have changed lately.
@@ -144,8 +144,7 @@ private:
     const Block_entries changed = changed_entries(b, pass);
     // One answer for all lanes, as those of the other part may change the border meanwhile.
     const bool has_border = Lane_group::bits(has_new_planes(pass) && Backend::atomic_load(border[b]) != 0) != 0;
-    const Block_entries moved =
-      has_border ? entries_with(b, [&](std::uint32_t c) { return is_moved[c] != 0; }) : Block_entries(0);
+    const Block_entries moved = has_border ? entries_with(b, [&](std::uint32_t c) { return is_moved[c] != 0; }) : 0u;
     if((changed | moved) == 0)
       return;
     for_each_surfel(b, at % parts(), [&](std::uint32_t i) { choose(i, pass, {changed, moved}); });
@@ -170,9 +169,8 @@ private:
   {
     const std::uint32_t s = label[pass % 2][i];
     // The first pass has seen the shapes around free surfels.
-    const bool is_chosen = s < first_mark
-                             ? is_considered(i, pass) && is_concerned(i, pass, changed)
-                             : is_concerned(i, pass, {changed.labels, pass == 0 ? changed.shapes : Block_entries(0)});
+    const bool is_chosen = s < first_mark ? is_considered(i, pass) && is_concerned(i, pass, changed)
+                                          : is_concerned(i, pass, {changed.labels, pass == 0 ? changed.shapes : 0u});
     const std::uint32_t t = is_chosen ? best_of(i, label[pass % 2]) : s;
     label[(pass + 1) % 2][i] = t;
     if(t == s)
