@@ -16,8 +16,8 @@ namespace CGAL::Tandem::internal {
 // Some entries of a row of blocks, a bit each.
 using Block_entries = std::uint32_t;
 
-// The blocks that have neighbors of one block, itself first. There are too many to be listed, or some belong to another
-// rank, if `size` exceeds the capacity.
+// The blocks that have neighbors of one block, itself first. Ghosts are in blocks, too. There are too many to be listed if
+// `size` exceeds the capacity.
 struct Block_row {
   static constexpr std::uint32_t surfels = 64, capacity = 31;
   static constexpr Block_entries all = (Block_entries(1) << capacity) - 1;
@@ -81,13 +81,10 @@ private:
       is_any = is_any && neighbor[j] != no_index;
       if(Lane_group::count(is_any) == 0)
         break;
-      const bool is_ghost = is_any && neighbor[j] >= cloud.size;
       const std::uint64_t b = is_any ? neighbor[j] / Block_row::surfels : i / Block_row::surfels;
-      const bool is_other = is_ghost || (b != i / Block_row::surfels && b != last_other);
+      const bool is_other = b != i / Block_row::surfels && b != last_other;
       if(Lane_group::count(is_other) == 0)
         continue;
-      if(Lane_group::count(is_ghost) > 0)
-        r.size = Block_row::capacity + 1;
       Block_entries entry = is_other ? r.entry(std::uint32_t(b)) : 0;
       Lane_group::for_each_in_order(is_other && entry == 0, b, [&](std::uint64_t other) {
         if(r.size <= Block_row::capacity && r.entry(std::uint32_t(other)) == 0)

@@ -74,7 +74,7 @@ struct Assignment_passes {
   const Block_entries* entries; // by surfel
   const std::uint8_t* is_moved; // by block: has surfels of shapes that have changed since the last assignment
   Change_pass* change;          // by surfel
-  Change_pass* block_change;    // by block
+  Change_pass* block_change;    // by block; these three also of ghosts
   Block_surfels* border;        // by block: surfels that had a neighbor in another shape
   std::uint8_t* has_changes;    // by pass
   std::uint32_t* label[2];      // by surfel: pass p reads table p % 2 and writes the other one
@@ -106,6 +106,13 @@ struct Assignment_passes {
         const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
         state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
       });
+  }
+
+  // After a pass, ghosts have the labels that their owners gave them.
+  CGAL_TANDEM_HD void note_ghost(std::uint32_t i, std::uint32_t pass) const
+  {
+    if(label[0][i] != label[1][i])
+      set_changed(i, pass);
   }
 
 private:
@@ -175,11 +182,16 @@ private:
     label[(pass + 1) % 2][i] = t;
     if(t == s)
       return;
+    set_changed(i, pass);
+    if(Backend::atomic_load(has_changes[pass]) == 0)
+      Backend::atomic_store(has_changes[pass], std::uint8_t(1));
+  }
+
+  CGAL_TANDEM_HD void set_changed(std::uint32_t i, std::uint32_t pass) const
+  {
     const Change_pass now = Change_passes::in(pass);
     Backend::atomic_store(change[i], now);
     Backend::atomic_store(block_change[i / Block_row::surfels], now);
-    if(Backend::atomic_load(has_changes[pass]) == 0)
-      Backend::atomic_store(has_changes[pass], std::uint8_t(1));
   }
 
   // One half of the surfels in even passes, the other one in odd passes.
@@ -199,8 +211,7 @@ private:
       Backend::atomic_add(border[i / Block_row::surfels], value ? bit_of(i) : Block_surfels(0) - bit_of(i));
   }
 
-  // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by
-  // planes.
+  // Whether it or a neighbor has changed its label lately; or it may prefer another shape by planes.
   CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, const Changed_blocks& changed) const
   {
     if((changed.shapes & entries[i]) != 0 && is_at_border(i))
@@ -213,12 +224,11 @@ private:
     if(Change_passes::is_recent(last, pass))
       return true;
     const std::uint32_t* neighbor = cloud.row(i);
-    int j = 0;
-    for(; j < cloud.k && neighbor[j] < cloud.size; ++j) {
+    for(int j = 0; j < cloud.k && neighbor[j] != no_index; ++j) {
       const Change_pass c = Backend::atomic_load(change[neighbor[j]]);
       last = c > last ? c : last; // no branch, which could not be predicted
     }
-    return Change_passes::is_recent(last, pass) || (j < cloud.k && neighbor[j] != no_index);
+    return Change_passes::is_recent(last, pass);
   }
 
   // Of the own label and those of neighbors. Ties go to the smaller one.
@@ -296,6 +306,14 @@ struct Set_interior {
   CGAL_TANDEM_HD void operator()(std::size_t b) const { passes.set_interior(std::uint32_t(b), state); }
 };
 
+template <class Backend>
+struct Note_ghosts {
+  Assignment_passes<Backend> passes;
+  std::uint32_t pass;
+
+  CGAL_TANDEM_HD void operator()(std::size_t g) const { passes.note_ghost(passes.cloud.size + std::uint32_t(g), pass); }
+};
+
 struct Set_assigned {
   const Shape* shape;
   const Plane* plane;
@@ -333,15 +351,13 @@ struct Start_assignment {
     const bool is_moved_shape = s < first_mark && is_moved[s];
     if(s < first_mark && (is_moved_shape || chosen[i] != s) && !cloud.fits(shape[s].plane, i, tolerance))
       s = free_label;
-    if(i < cloud.size) {
-      const std::size_t b = i / Block_row::surfels;
-      if(is_moved_shape)
-        Backend::atomic_store(has_moved[b], std::uint8_t(1));
-      const bool is_recent = chosen[i] != s || Change_passes::is_recent(change[i], Change_passes::end);
-      change[i] = is_recent ? Change_passes::before : Change_pass(0);
-      if(is_recent)
-        Backend::atomic_store(block_change[b], Change_pass(Change_passes::before));
-    }
+    const std::size_t b = i / Block_row::surfels;
+    if(is_moved_shape)
+      Backend::atomic_store(has_moved[b], std::uint8_t(1));
+    const bool is_recent = chosen[i] != s || Change_passes::is_recent(change[i], Change_passes::end);
+    change[i] = is_recent ? Change_passes::before : Change_pass(0);
+    if(is_recent)
+      Backend::atomic_store(block_change[b], Change_pass(Change_passes::before));
     chosen[i] = next[i] = s;
   }
 };
@@ -404,7 +420,7 @@ public:
   explicit Assignment(Labeled_cloud<Backend>& points)
     : points_(points), backend_(points.backend), block_(points.backend, points.cloud),
       chosen_(filled_buffer(backend_, points.cloud.size_with_ghosts(), no_index)),
-      change_(filled_buffer(backend_, points.cloud.number_of_surfels(), Change_passes::in(Change_passes::end))),
+      change_(filled_buffer(backend_, points.cloud.size_with_ghosts(), Change_passes::in(Change_passes::end))),
       border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0)))
   {}
 
@@ -421,8 +437,9 @@ public:
     const Cloud_view cloud = points_.cloud.view();
     const std::size_t blocks = block_.row.size();
     Buffer<std::uint32_t> next(chosen_.size());
-    auto block_change = filled_buffer(backend_, blocks, Change_pass(0));
-    auto has_moved = filled_buffer(backend_, blocks, std::uint8_t(0));
+    const std::size_t with_ghosts = number_of_blocks(chosen_.size());
+    auto block_change = filled_buffer(backend_, with_ghosts, Change_pass(0));
+    auto has_moved = filled_buffer(backend_, with_ghosts, std::uint8_t(0));
     auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint8_t(0));
     backend_.for_each(chosen_.size(),
                       Start_assignment<Backend>{cloud, points_.label(), assigned_.data(), is_moved.data(),
@@ -456,8 +473,10 @@ private:
       backend_.run_rounds(maximum, blocks, passes);
     else
       run_joint_rounds(backend_, maximum, blocks, passes, [&](int step, std::size_t pass) {
-        if(step == Assignment_passes<Backend>::visit)
+        if(step == Assignment_passes<Backend>::visit) {
           points_.ranks.refresh(passes.label[(pass + 1) % 2], Rings::inner);
+          backend_.for_each(points_.cloud.ghosts, Note_ghosts<Backend>{passes, std::uint32_t(pass)});
+        }
         return false;
       });
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/cuda/runtime/Device_buffer.cuh>
 
+#include <cub/device/device_merge_sort.cuh>
 #include <cub/device/device_radix_sort.cuh>
 
 #include <cstddef>
@@ -39,6 +40,10 @@ void sort_pairs(cub::DoubleBuffer<Key>& keys, cub::DoubleBuffer<std::uint32_t>& 
     return cub::DeviceRadixSort::SortPairs(memory, bytes, keys, values, std::int64_t(n), 0, bits, stream_of_thread());
   });
 }
+
+struct Is_less {
+  __device__ bool operator()(std::uint64_t a, std::uint64_t b) const { return a < b; }
+};
 
 // f.has() as a predicate for CUB.
 template <class F>
@@ -95,9 +100,16 @@ public:
   View view() const { return {const_cast<std::uint64_t*>(key_.data()), const_cast<std::uint32_t*>(index_.data())}; }
   std::size_t size() const { return key_.size(); }
 
-  // Ascending by key. Needs as much memory again while it runs. Keys have so many bits: it takes time for each.
+  // Ascending by key. Needs as much memory again while it runs. Keys have so many bits: it takes time for each. Few keys
+  // are merged, which takes fewer kernels.
   void sort(int bits)
   {
+    constexpr std::size_t few = 32768;
+    if(size() <= few)
+      return with_cub_memory([&](void* memory, std::size_t& bytes) {
+        return cub::DeviceMergeSort::SortPairs(memory, bytes, key_.data(), index_.data(), std::int64_t(size()),
+                                               Is_less(), stream_of_thread());
+      });
     Device_buffer<std::uint64_t> other_key(size());
     Device_buffer<std::uint32_t> other_index(size());
     cub::DoubleBuffer<std::uint64_t> keys(key_.data(), other_key.data());
