@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What follows from labels, against plain loops on several back ends, which pass cells in parts: links and where they
-// are, also where the first table of all cells is too small; moments, boxes, the lists of the shapes of each cell; and
-// the update of labels, which keeps these.
+// are, also where the first table of all cells is too small; the lists of the shapes of each cell; and the update of
+// labels, which keeps moments, boxes and lists.
 
 #include "testing/body_fixture.h"
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -79,10 +80,16 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
+    constexpr std::size_t largest_on_stack = 65536;
     const auto run_cell = [&](std::size_t c) {
-      Scratch scratch; // on the stack of the thread
       Serial_block block;
-      body(block, scratch, std::uint32_t(c));
+      if constexpr(sizeof(Scratch) <= largest_on_stack) {
+        Scratch scratch;
+        body(block, scratch, std::uint32_t(c));
+      } else {
+        const std::unique_ptr<Scratch> scratch(new Scratch);
+        body(block, *scratch, std::uint32_t(c));
+      }
     };
     run(cells, Index_functor(run_cell));
   }

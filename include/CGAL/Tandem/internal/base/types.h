@@ -63,7 +63,7 @@ CGAL_TANDEM_HD inline double fused(double a, double b, double c)
 {
 #ifdef CGAL_TANDEM_ASKS_FOR_FMA
   if(has_fma) {
-    asm("vfmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "x"(b));
+    asm("vfmadd231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b)); // in both syntaxes of assemblers
     return c;
   }
 #endif

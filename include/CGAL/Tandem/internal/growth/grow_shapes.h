@@ -395,18 +395,16 @@ Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
     return backend.template sum<5>(
       ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new, minimum_size, untried_cells});
   };
-  const auto list_started = [&](auto... size) {
-    return backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new}, size...);
-  };
+  const Has_started has_started = {shapes.delta.data() + first_new};
   Ids started;
   std::array<std::int64_t, 5> sums;
   if constexpr(Ranks<Backend>::are_many) {
-    started = list_started();
+    started = backend.compact(ids - first_new, has_started);
     ids = join_started(backend, points.ranks, shapes, ids, started);
     sums = count();
   } else {
     sums = count();
-    started = list_started(std::size_t(sums[4]));
+    started = backend.compact(ids - first_new, has_started, std::size_t(sums[4]));
   }
   const std::size_t live = std::size_t(sums[3]);
   Shared_moments* const delta = shapes.delta.data();

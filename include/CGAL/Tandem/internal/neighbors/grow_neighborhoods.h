@@ -22,7 +22,7 @@ namespace internal {
 // one for each surfel while normals are estimated.
 //
 // Products of two floats are computed in double, where they are exact. So sums of them are the same whether or not a
-// compiler contracts them. std::fma would be a slow call where the processor is not known to have it.
+// compiler contracts them, without a fused multiply-add.
 
 struct Float_vector {
   float x, y, z;

@@ -10,7 +10,8 @@
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/result/Engine_result.h>
-#include <CGAL/Tandem/internal/shapes/update_tables.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Moment_table.h>
 
 #include <algorithm>
 #include <cmath>

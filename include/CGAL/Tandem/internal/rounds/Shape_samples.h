@@ -9,7 +9,8 @@
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/base/keys.h>
-#include <CGAL/Tandem/internal/shapes/update_tables.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 #include <algorithm>
 #include <utility>
@@ -235,8 +236,8 @@ struct Sorted_samples {
   Buffer_of<Backend, std::uint32_t> home;
 };
 
-// The homes of so many shapes: the only rank with sampled points of a shape, or all ranks. To the points of this rank come
-// those of the others for the shapes that all ranks have.
+// The homes of so many shapes: the only rank with sampled points of a shape, or all ranks. To the points of this rank
+// come those of the others for the shapes that all ranks have.
 template <class Backend>
 std::vector<std::uint32_t> share_points(const Ranks<Backend>& ranks, std::size_t shapes,
                                         std::vector<Keyed_point>& points)
@@ -248,7 +249,7 @@ std::vector<std::uint32_t> share_points(const Ranks<Backend>& ranks, std::size_t
   std::vector<std::uint32_t> home;
   for(const std::uint64_t f : ranks.total(std::move(found)))
     home.push_back(f / one == 1 ? std::uint32_t(f) : Sample_homes::all_ranks);
-  const auto shared = std::stable_partition(
+  const auto shared = std::partition(
     points.begin(), points.end(), [&](const Keyed_point& p) { return home[p.key >> 32] != Sample_homes::all_ranks; });
   const std::vector<Keyed_point> of_all = ranks.gather(std::vector<Keyed_point>(shared, points.end()));
   points.erase(shared, points.end());

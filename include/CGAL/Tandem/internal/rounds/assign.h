@@ -12,8 +12,10 @@
 #include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Moment_table.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/Stage_parameters.h>
-#include <CGAL/Tandem/internal/shapes/update_tables.h>
 
 #include <utility>
 

@@ -136,8 +136,8 @@ struct Put_accepted {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { pair[accepted[i].pair].key.cost = accepted[i].cost; }
 };
 
-// Marks the shapes of which all ranks need the samples now. That of a union is needed if its parts have different homes,
-// and the first one of a pair if its shapes have: else no rank could make the test.
+// Marks the shapes of which all ranks need the samples now: that of a union whose parts have different homes, and that
+// of the first shape of a pair of different homes, which no rank could test otherwise.
 template <class Backend>
 struct Mark_moved {
   Union_rounds<Backend> rounds;
@@ -163,12 +163,12 @@ struct Mark_apart {
     const std::uint32_t a = rounds.target[rounds.pair[i].first], b = rounds.target[rounds.pair[i].second];
     const std::uint32_t of_a = rounds.samples.home[a], of_b = rounds.samples.home[b];
     if(of_a != of_b && of_a != Sample_homes::all_ranks && of_b != Sample_homes::all_ranks)
-      Backend::atomic_store(mark.is_moved[a < b ? a : b], std::uint8_t(1));
+      Backend::atomic_store(mark.is_moved[a], std::uint8_t(1));
   }
 };
 
 struct Sent_sample {
-  std::uint64_t shape; // wide, so that all bytes are defined
+  std::uint32_t shape;
   Shape_sample sample;
 };
 
