@@ -16,8 +16,8 @@ namespace CGAL::Tandem::internal {
 // Some entries of a row of blocks, a bit each.
 using Block_entries = std::uint32_t;
 
-// The blocks that have neighbors of one block, itself first. Ghosts are in blocks, too. There are too many to be listed if
-// `size` exceeds the capacity.
+// The blocks that have neighbors of one block, itself first. Ghosts are in blocks, too. There are too many to be listed
+// if `size` exceeds the capacity.
 struct Block_row {
   static constexpr std::uint32_t surfels = 64, capacity = 31;
   static constexpr Block_entries all = (Block_entries(1) << capacity) - 1;

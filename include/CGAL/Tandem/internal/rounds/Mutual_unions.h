@@ -210,7 +210,7 @@ struct Union_rounds {
   Fitted_moments* whole;  // the unions, in any order
   std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity
   std::uint32_t* total;   // the number of rounds, and that of the places in `whole`
-  Sample_homes samples;   // and the own items
+  Sample_homes homes;     // where the samples are, and the own pairs and shapes
 
   // Only tests and fits are worth several threads where there are few.
   static constexpr std::size_t few(int step) { return step == test || step == fit ? 64 : 4096; }
@@ -299,7 +299,7 @@ private:
     p.tested = round;
     p.is_taken = (na > nb ? na : nb) > tuning::moves::much_larger * (na > nb ? nb : na);
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
-    return a != b && samples.has_pair(i, a, b) && gain.may_gain(united(a), united(b), p.contact);
+    return a != b && homes.has_pair(i, a, b) && gain.may_gain(united(a), united(b), p.contact);
   }
 
   // By a group of lanes.
@@ -355,7 +355,7 @@ private:
   CGAL_TANDEM_HD void fit_whole(std::size_t s) const
   {
     Union_root& r = root[s];
-    if(samples.has(s))
+    if(homes.has(s))
       merge_samples(s, r.joined);
     Lane_group::single([&] {
       r.joined = no_index;
@@ -367,7 +367,7 @@ private:
       m.moments += joined[s].moments();
       joined[s] = Shared_moments();
       m.scatter = make_scatter(m.moments);
-      if(samples.own.has(s))
+      if(homes.own.has(s))
         set_fit(m, fit_plane(m.scatter));
     });
   }

@@ -124,7 +124,7 @@ struct Take_accepted {
   CGAL_TANDEM_HD bool has(std::uint32_t i) const
   {
     const Union_pair& p = rounds.pair[i];
-    return p.tested == round && p.is_accepted() && rounds.samples.has_pair(i, p.first, p.second);
+    return p.tested == round && p.is_accepted() && rounds.homes.has_pair(i, p.first, p.second);
   }
   CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const { return {i, rounds.pair[i].key.cost}; }
 };
@@ -146,7 +146,7 @@ struct Mark_moved {
   // Of a shape.
   CGAL_TANDEM_HD void operator()(std::size_t t) const
   {
-    const std::uint32_t *home = rounds.samples.home, s = rounds.target[t];
+    const std::uint32_t *home = rounds.homes.home, s = rounds.target[t];
     if(home[t] != home[s] && home[t] != Sample_homes::none)
       Backend::atomic_store(is_moved[s], std::uint8_t(1));
   }
@@ -161,7 +161,7 @@ struct Mark_apart {
   {
     const Union_rounds<Backend>& rounds = mark.rounds;
     const std::uint32_t a = rounds.target[rounds.pair[i].first], b = rounds.target[rounds.pair[i].second];
-    const std::uint32_t of_a = rounds.samples.home[a], of_b = rounds.samples.home[b];
+    const std::uint32_t of_a = rounds.homes.home[a], of_b = rounds.homes.home[b];
     if(of_a != of_b && of_a != Sample_homes::all_ranks && of_b != Sample_homes::all_ranks)
       Backend::atomic_store(mark.is_moved[a], std::uint8_t(1));
   }
@@ -180,14 +180,14 @@ struct Take_moved {
   CGAL_TANDEM_HD bool has(std::uint32_t t) const
   {
     const Union_rounds<Backend>& rounds = mark.rounds;
-    const Sample_homes& homes = rounds.samples;
+    const Sample_homes& homes = rounds.homes;
     const std::uint32_t s = rounds.target[t];
     return homes.home[t] == homes.own.rank && mark.is_moved[s] &&
            (homes.home[s] != Sample_homes::all_ranks || has_least(rounds.sample[s], rounds.sample[t]));
   }
   CGAL_TANDEM_HD Sent_sample take(std::uint32_t t) const
   {
-    Sent_sample sent = {t, Shape_sample()};
+    Sent_sample sent = {t, Shape_sample()}; // what is behind the items is not defined in the table
     const Shape_sample& sample = mark.rounds.sample[t];
     sent.sample.size = sample.size;
     for(std::uint32_t i = 0; i < sample.size; ++i)
@@ -209,7 +209,7 @@ struct Move_home {
 
   CGAL_TANDEM_HD void operator()(std::size_t t) const
   {
-    std::uint32_t& home = mark.rounds.samples.home[t];
+    std::uint32_t& home = mark.rounds.homes.home[t];
     if(mark.rounds.target[t] != t)
       home = Sample_homes::none;
     else if(mark.is_moved[t])
@@ -285,20 +285,11 @@ Shape_unions<Backend> unite_shapes(const Labeled_cloud<Backend>& points, Shape_t
   auto joins = filled_buffer(backend, 2, std::uint32_t(0));
   unions.total = filled_buffer(backend, 2, std::uint32_t(0));
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
+  const Sample_homes homes = {points.ranks.own_items(), samples.home.data()};
   run_unions(backend, points.ranks, (std::max)(n, links.size()),
-             Union_rounds<Backend>{gain,
-                                   pair.data(),
-                                   links.size(),
-                                   n,
-                                   shapes.fitted(),
-                                   samples.sample.data(),
-                                   unions.root.data(),
-                                   unions.target.data(),
-                                   start_deltas(backend, shapes, n),
-                                   unions.whole.data(),
-                                   joins.data(),
-                                   unions.total.data(),
-                                   {points.ranks.own_items(), samples.home.data()}});
+             Union_rounds<Backend>{gain, pair.data(), links.size(), n, shapes.fitted(), samples.sample.data(),
+                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
+                                   unions.whole.data(), joins.data(), unions.total.data(), homes});
   return unions;
 }
 

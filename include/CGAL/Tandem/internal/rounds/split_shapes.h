@@ -35,14 +35,14 @@ struct Try_splits {
   const Sampled_point* point;
   const Range* range; // by shape
   Split_trials trials;
-  Sample_homes samples;
+  Sample_homes homes;
   Split* split; // by trial
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     Split result = {};
     const std::uint32_t s = id[i / Split_trials::starts];
-    if(samples.has_item(i, s)) {
+    if(homes.has_item(i, s)) {
       const Point_sample sample = {point + range[s].first, range[s].size()};
       result = trials(shape[s], sample, int(i % Split_trials::starts));
     }
