@@ -20,24 +20,22 @@ BOOST_AUTO_TEST_SUITE(test_growth_bodies)
 
 using namespace CGAL::Tandem::internal;
 
-// How planar the surface is within the own tolerance of each point, and the same within tighter bounds.
+// How planar the surface is within the own tolerance of each point.
 BOOST_AUTO_TEST_CASE(planarity_of_points)
 {
   for(const Fixture& f : fixtures()) {
-    const Tolerance tight = {f.tolerance.distance / 3, (f.tolerance.squared_cosine + (std::int64_t(1) << 32)) / 2};
     std::size_t differing = 0;
     for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
       const Plane own = own_plane(f.point[i]);
-      const Tolerance at = f.tolerance_of(i), tight_at = f.level.empty() ? tight : tight.at(f.level[i]);
-      int all = 0, fitting = 0, close = 0, within_epsilon = 0;
+      const Tolerance at = f.tolerance_of(i);
+      int all = 0, fitting = 0, within_epsilon = 0;
       f.for_each_neighbor(i, [&](std::uint32_t q) {
         ++all;
         fitting += fits(own, f.point[q], at);
-        close += fits(own, f.point[q], tight_at);
         within_epsilon += fits(own, f.point[q], f.tolerance);
       });
-      const Planarity p = planarity(f.cloud, i, f.tolerance, tight);
-      CHECK_AT(p.all == all && p.fitting == fitting && p.close == close, f.name + ": planarity");
+      const Planarity p = planarity(f.cloud, i, f.tolerance);
+      CHECK_AT(p.all == all && p.fitting == fitting, f.name + ": planarity");
       differing += fitting != within_epsilon;
     }
     CHECK_AT(f.cloud.size < 1000 || (differing > 50) == !f.level.empty(), f.name + ": own tolerances matter");
@@ -64,20 +62,20 @@ BOOST_AUTO_TEST_CASE(proposals)
   });
 }
 
-// Round by round, in each cell alone; ties go to the smallest shape.
+// From all surfels of restarted shapes, layer by layer, in each cell alone; ties go to the smallest shape.
 std::vector<std::uint32_t> flood_fill(const Fixture& f, std::vector<std::uint32_t> label,
-                                      const std::vector<std::uint8_t>& state, const std::vector<std::uint16_t>& rounds)
+                                      const std::vector<std::uint8_t>& is_restarted)
 {
   for(const Range& cell : f.cells) {
     std::vector<std::uint32_t> frontier;
     for(std::uint32_t i = cell.first; i < cell.last; ++i)
-      if(label[i] < first_mark && (state[i] & frontier_bit))
+      if(label[i] < first_mark && is_restarted[label[i]])
         frontier.push_back(i);
-    for(int round = 0; !frontier.empty(); ++round) {
+    while(!frontier.empty()) {
       std::map<std::uint32_t, std::uint32_t> claims;
       for(std::uint32_t i : frontier)
         f.for_each_neighbor(i, [&](std::uint32_t q) {
-          if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == free_label &&
+          if(q >= cell.first && q < cell.last && label[q] == free_label &&
              f.fits(label[i] % std::uint32_t(f.plane.size()), q))
             claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
         });
@@ -104,11 +102,10 @@ BOOST_AUTO_TEST_CASE(growth_in_cells)
     std::vector<Plane> plane;
     for(int copy = 0; copy < 3; ++copy)
       plane.insert(plane.end(), f.plane.begin(), f.plane.end());
-    std::vector<std::uint16_t> rounds;
+    std::vector<std::uint8_t> is_restarted;
     for(std::size_t s = 0; s < plane.size(); ++s)
-      rounds.push_back(std::uint16_t(s % 3 == 0 ? tuning::growth::maximum_steps : int(s % 5)));
-    const std::vector<std::uint32_t> expected = flood_fill(f, label, state, rounds);
-    std::vector<std::uint8_t> is_restarted(plane.size(), 0);
+      is_restarted.push_back(s % 4 != 1);
+    const std::vector<std::uint32_t> expected = flood_fill(f, label, is_restarted);
     std::vector<Shared_moments> delta(plane.size()), expected_delta(plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
@@ -120,9 +117,9 @@ BOOST_AUTO_TEST_CASE(growth_in_cells)
     const Cells_view cells = {f.cells.data(), lists.data()};
     const Cell_tables tables = {cells, {border.data(), nullptr, nullptr}, {nullptr, none.data(), cursor.data()}};
     const Grow_cells<decltype(backend)> body = {f.cloud,
-                                                {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
+                                                {plane.data(), is_restarted.data(), delta.data()},
                                                 {label.data(), state.data()},
-                                                {f.tolerance, 8, 64, 7, 7, 0},
+                                                {f.tolerance, 7, 7, 0},
                                                 tables,
                                                 0};
     if(std::all_of(f.cells.begin(), f.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
@@ -179,19 +176,9 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
   auto shapes = make_table(backend, before);
   shapes.size = size;
   shapes.plane = to_buffer(backend, plane);
-  shapes.steps = filled_buffer(backend, room, std::uint16_t(999));
   shapes.is_restarted = filled_buffer(backend, room, std::uint8_t(1));
   shapes.delta = to_buffer(backend, delta);
-  const auto untried_cells = filled_buffer(backend, 1, std::uint32_t(7));
-  const Growth_counts counts = take_growth(points, shapes, ids, 2, untried_cells.data());
-  std::int64_t large_points = 0;
-  for(std::uint32_t id = 0; id < ids; ++id) {
-    const std::int64_t n = delta[id].count + (id < size ? before[id].moments.count : 0);
-    large_points += n >= 2 ? n : 0;
-  }
-  check_equal(counts.points, new_points, where + ": new points");
-  check_equal(counts.large_points, std::size_t(large_points), where + ": points of large shapes");
-  check_equal(counts.untried_cells, std::size_t(7), where + ": untried cells");
+  check_equal(take_growth(points, shapes, ids), new_points, where + ": new points");
   std::vector<std::uint32_t> old, new_id(ids, no_index); // ids before, by new id, and the other way round
   for(std::uint32_t id = 0; id < ids; ++id)
     if(id < size ? is_live(id) || !is_sparse : is_any(delta[id])) {
@@ -199,8 +186,7 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
       old.push_back(id);
     }
   check_equal(shapes.size, old.size(), where + ": ids");
-  CHECK_AT((std::min)({shapes.table().size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()}) >=
-             old.size(),
+  CHECK_AT((std::min)({shapes.table().size(), shapes.plane.size(), shapes.is_restarted.size()}) >= old.size(),
            where + ": room of the tables");
   for(std::size_t s = 0; s < old.size() && shapes.size == old.size(); ++s) {
     const std::string at = where + ", shape " + std::to_string(old[s]);
@@ -212,10 +198,8 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
     CHECK_AT(are_equal(got.moments, expected.moments), at + ": moments");
     CHECK_AT(got.box.low[0] == box.low[0] && got.box.high[2] == box.high[2], at + ": box");
     check_equal(shapes.plane[s].d, is_new ? Plane().d : plane[old[s]].d, at + ": plane");
-    check_equal(int(shapes.is_restarted[s]), 0, at + ": restart");
+    check_equal(int(shapes.is_restarted[s]), int(is_new), at + ": restart");
     check_equal(got.age, expected.age + is_used, at + ": age");
-    check_equal(int(shapes.steps[s]),
-                is_used ? (std::min)(1 << (std::min)(got.age, 30), tuning::growth::maximum_steps) : 0, at + ": steps");
     CHECK_AT(!is_used || ((got.is_active != 0) == is_active && got.history.is_fitted == !is_active &&
                           got.history.is_linked == !is_active),
              at + ": changes");

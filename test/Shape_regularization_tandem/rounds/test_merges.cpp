@@ -117,7 +117,7 @@ struct Merged_cloud {
         continue;
       label[i] = target[label[i]];
       if(label[i] >= first_mark)
-        state[i] = std::uint8_t((state[i] | tried_seed_bit) & ~(frontier_bit | interior_bit));
+        state[i] = std::uint8_t((state[i] | tried_seed_bit) & ~interior_bit);
     }
     CHECK_AT(label.size() < 100 || (merged > 0 && dissolved > 0), where + ": nothing is merged or dissolved");
   }

@@ -162,7 +162,7 @@ void merge_with_those_before(State& t)
 
 BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
-  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options, true); });
+  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
   check_stage("dropping", [](State& t, Link_buffer&) {
     drop_shapes(t.points, t.shapes, [](const Shape& s, std::size_t) { return s.moments.count < 200; });
   });

@@ -142,7 +142,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
                       : dice < 30 ? (dice < 8 ? locked_label : free_label)
                       : truth < 0 ? free_label
                                   : std::uint32_t(truth));
-    f.state.push_back(std::uint8_t(random.bits() % 8));
+    f.state.push_back(std::uint8_t(random.bits() % 4));
   }
   f.lists = f.list_shapes(f.label);
   f.tolerance = make_tolerance(2500, cosine_deg(25));

@@ -23,8 +23,7 @@ struct Serial_block {
       f(i);
   }
 
-  // f(s, q) for each source s in [0, n) and each entry q of its row of k neighbors. row(s) is the address of the row,
-  // or null to skip the source.
+  // f(s, q) for each source s in [0, n) and each entry q of its row of k neighbors, which is at row(s).
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
@@ -34,7 +33,7 @@ struct Serial_block {
       if(s + ahead < n)
         __builtin_prefetch(row(s + ahead));
       const std::uint32_t* neighbors = row(s);
-      for(int j = 0; neighbors != nullptr && j < k; ++j)
+      for(int j = 0; j < k; ++j)
         f(s, neighbors[j]);
     }
   }

@@ -55,9 +55,7 @@ public:
 
 private:
   std::size_t grow();
-  void sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, Growth_counts& grown);
   Shape_relations relate_shapes(Buffer_of<Backend, Link>& links);
-  bool is_going_on(std::size_t new_points) const;
 
   std::optional<Kept_pages::Detection> detection_{std::in_place}; // before the tables, which are freed first
   const Import& in_;
@@ -66,9 +64,7 @@ private:
   Shape_relations relations_; // of the last round, or of the end game
   Stage_times times_;
   Engine_result final_;
-  std::size_t maximum_large_ = 0; // points of large shapes, in the best round so far
-  bool is_idle_ = false;          // growth was slow in this round, and no cell is untried
-  bool is_prepared_ = false;      // was not cancelled before there was anything to grow from
+  bool is_prepared_ = false; // was not cancelled before there was anything to grow from
   bool is_finished_ = false;
 };
 
@@ -81,42 +77,16 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
   is_prepared_ = prepare(state_, in, parameters, times_, progress);
 }
 
-// Runs the passes of growth of a round; returns the number of points that got a shape. Young rounds have one pass: with
-// more, faces are missed under noise. Later rounds have further passes as long as many cells have untried seeds; slow
-// rounds, as long as any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge
-// the table of shapes in each round. See the manual, "Growth" and "End of the Loop".
+// Two passes of growth: in the first one shapes start, and are fitted, before they go on in the second one. Fitting all
+// shapes between them finds fewer faces on noisy scenes. Returns the number of points that got a shape. See the manual,
+// "Growth".
 template <class Backend>
 std::size_t Engine<Backend>::grow()
 {
-  const bool is_young = state_.round < tuning::loop::young_rounds;
-  if(!is_young)
-    state_.options.growth.seeds_in_flight = tuning::growth::maximum_seeds_in_flight;
-  Growth_counts grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options, !is_young);
-  if(is_young)
-    return grown.points;
-  int passes = 1;
-  sweep_untried_cells(state_.points.total_cells() / tuning::loop::cells_per_untried_cell, passes, grown);
-  // Compared with the best round so far. Not in young rounds, so the first one counts all these points.
-  const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, grown.large_points));
-  const bool is_slow =
-    maximum_large_ - best_before <= state_.points.total_points() / tuning::loop::points_per_slow_point;
-  if(is_slow)
-    sweep_untried_cells(0, passes, grown);
-  is_idle_ = is_slow && grown.untried_cells == 0;
-  return grown.points;
-}
-
-// Runs further passes until at most so many cells have many untried seeds, or all passes are used. Between passes only
-// shapes that have just started are fitted, to their local planes: fitting all shapes finds fewer faces on noisy scenes.
-template <class Backend>
-void Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, Growth_counts& grown)
-{
-  for(; grown.untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
-    take_local_planes(state_.points, state_.shapes);
-    const std::size_t points = grown.points;
-    grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options, true);
-    grown.points += points;
-  }
+  const auto pass = [&] { return grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth); };
+  const std::size_t points = pass();
+  take_local_planes(state_.points, state_.shapes);
+  return points + pass();
 }
 
 // Of more than one pass, and has stopped growing while it is small.
@@ -137,40 +107,6 @@ Shape_relations Engine<Backend>::relate_shapes(Buffer_of<Backend, Link>& links)
   const Stage_parameters& options = state_.options;
   const bool is_due = (state_.round + 1) % options.regularity_period == 0;
   return regularize_shapes(state_.points, state_.shapes, options, is_due, options.minimum_related_size);
-}
-
-struct Count_cells_with_seeds {
-  const std::uint32_t* cursor;
-  const std::uint32_t* count;
-
-  CGAL_TANDEM_HD void operator()(std::size_t c, std::int64_t* sum) const { sum[0] += cursor[c] < count[c]; }
-};
-
-struct Count_restarted {
-  const Shape* shape;
-  const std::uint8_t* is_restarted;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
-  {
-    sum[0] += shape[id].is_live() && is_restarted[id];
-  }
-};
-
-// Whether another round may change something: points got a shape, seeds are left, or a shape restarts. Linear in the
-// numbers of cells and shapes.
-template <class Backend>
-bool Engine<Backend>::is_going_on(std::size_t new_points) const
-{
-  if(is_idle_ || state_.round >= tuning::loop::maximum_rounds)
-    return false;
-  Backend& backend = state_.points.backend;
-  const Seeds<Backend>& seeds = state_.seeds;
-  const Shape_table<Backend>& shapes = state_.shapes;
-  const auto count = [&](std::size_t n, auto f) { return backend.template sum<1>(n, f)[0]; };
-  return new_points > 0 ||
-         state_.points.ranks.total(std::size_t(
-           count(seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}))) > 0 ||
-         count(shapes.size, Count_restarted{shapes.counted(), shapes.is_restarted.data()}) > 0;
 }
 
 // One round. The order matters: small fragments go first, so that they need no links. Shapes unite before relations are
@@ -197,7 +133,8 @@ bool Engine<Backend>::iterate()
   progress_.show_rounds(state_.round + .7);
   apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));
   ++state_.round;
-  return progress_.show_rounds(state_.round) && is_going_on(new_points);
+  return progress_.show_rounds(state_.round) && state_.round < tuning::loop::maximum_rounds &&
+         new_points > points.total_points() / tuning::loop::points_per_new_point;
 }
 
 // Runs the end game and makes the result. A cloud that is empty, or was not prepared, has no relations, but an empty

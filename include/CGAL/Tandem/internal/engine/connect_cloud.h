@@ -83,7 +83,7 @@ void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_clo
 
 // The points have been sorted, and cloud.k is set. The values that a device has are dropped.
 template <class Backend>
-void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& tight)
+void connect_cloud(Labeled_cloud<Backend>& points, Import& in, double maximum_distance_steps)
 {
   Backend& backend = points.backend;
   const int rings = in.has_normals ? 1 : 3; // normals are estimated from neighbors of neighbors
@@ -94,7 +94,7 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
   cross_scan_lines(backend, points.ranks, points.cloud, points.cells,
                    make_code_frame(in.low, in.high, in.surfel_cells));
   if(in.has_normals)
-    cut_wall_sides(backend, points.ranks, points.cloud, tight);
+    cut_wall_sides(backend, points.ranks, points.cloud, maximum_distance_steps);
 }
 
 } // namespace CGAL::Tandem::internal

@@ -36,8 +36,8 @@ public:
   // The name of the back end that runs the method.
   virtual const char* name() const = 0;
 
-  // Runs one round. Returns false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or
-  // the callback has cancelled.
+  // Runs one round. Returns false when few points got a shape (tuning::loop), the rounds are used up, or the callback has
+  // cancelled.
   virtual bool iterate() = 0;
 
   // Runs the end game. Afterwards result() is final and keeps the guarantees.

@@ -117,7 +117,7 @@ std::vector<std::uint32_t> label_graph(Labeled_cloud<Backend>& points, Import& i
   Sorted_cloud<Backend>& cloud = points.cloud;
   cloud.k = int(result.parameters.k_neighbors);
   sort_points(points.backend, in, result.parameters.cell_size, cloud, points.cells);
-  connect_cloud(points, in, make_stage_parameters(in, result.parameters).tight);
+  connect_cloud(points, in, make_stage_parameters(in, result.parameters).maximum_distance_steps);
   std::vector<std::uint32_t> label = surfel_labels(cloud, result.shape, mixed);
   points.ranks.refresh(label.data(), Rings::inner);
   return label;

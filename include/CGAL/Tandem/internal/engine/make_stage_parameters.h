@@ -42,12 +42,7 @@ inline Growth_parameters make_growth_parameters(const Parameters& p, const Toler
   using namespace tuning::growth;
   const std::size_t core_size = (std::min)({(std::max)(p.k_neighbors / neighbors_per_core_point + 1, std::size_t(3)),
                                             p.cell_size / cell_points_per_core_point, p.minimum_region_size});
-  return {tolerance,
-          young_seeds_in_flight,
-          seed_tries,
-          std::uint32_t(core_size),
-          std::int64_t((std::max)(core_size, p.minimum_region_size)),
-          p.cell_size};
+  return {tolerance, std::uint32_t(core_size), std::int64_t((std::max)(core_size, p.minimum_region_size)), p.cell_size};
 }
 
 static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "exact normals would not fit");
@@ -67,8 +62,6 @@ inline Stage_parameters make_stage_parameters(const Import& in, const Parameters
     (std::min)(o.minimum_region_size,
                (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_ratio.of(o.minimum_region_size)));
   o.growth = make_growth_parameters(p, make_tolerance(o.maximum_distance_steps, cosine));
-  o.tight = make_tolerance(o.maximum_distance_steps * tuning::growth::tight_distance_fraction,
-                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_fraction));
   o.score = Score(p);
   o.regularity = make_regularity_parameters(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);

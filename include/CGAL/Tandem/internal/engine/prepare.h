@@ -108,7 +108,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     return false;
 
   Stage_timer search(times.neighbors);
-  connect_cloud(points, in, t.options.tight);
+  connect_cloud(points, in, t.options.maximum_distance_steps);
   backend.wait();
   search.stop();
 
@@ -125,7 +125,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     return false;
   Stage_timer growth(times.growth);
   find_border(points);
-  t.seeds = order_seeds(points, {t.options.growth.tolerance, t.options.tight, parameters.cell_size});
+  t.seeds = order_seeds(points, t.options.growth.tolerance, parameters.cell_size);
   clear_labels(points);
   t.peak_bytes = host_bytes(points.cloud, in) + sizeof(std::uint32_t) * points.border.surfel.size();
   progress.show_rounds(0);

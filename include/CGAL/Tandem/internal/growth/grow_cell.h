@@ -23,8 +23,7 @@ namespace CGAL::Tandem::internal {
 // only; to the sums of the others all cells add atomically.
 struct Shapes_view {
   Plane* plane;
-  std::uint16_t* steps;             // breadth-first steps of this pass
-  const std::uint8_t* is_restarted; // all of its surfels are on the frontier
+  const std::uint8_t* is_restarted; // grows from all of its surfels
   Shared_moments* delta;            // what the pass adds
 };
 
@@ -38,7 +37,7 @@ struct Cell_job {
   std::uint32_t seed_count;
   std::uint32_t* seed_cursor; // candidates before it are used up
   std::uint32_t new_shape;    // the ids from here on are those of new shapes
-  bool has_restarted = true;  // maybe: some shape grows again from all of its surfels
+  bool has_restarted = true;  // maybe: some shape grows from all of its surfels
 };
 
 // A candidate that is tried, as in the manual, "Growth". A plane is fitted to the seed and those of its free neighbors
@@ -61,8 +60,7 @@ struct Growth_scratch {
   std::uint16_t queue[CellSize]; // cell-relative surfels; each is queued at most once
   std::uint32_t tail;            // of the queue: its size
   Moment_table table;
-  std::uint32_t active[tuning::growth::maximum_seeds_in_flight]; // shapes on the frontier of this cell, ascending
-  std::uint32_t active_count;
+  std::uint32_t started; // shapes, in this pass
   Trial trial[maximum_lookahead];
 };
 
@@ -79,8 +77,8 @@ struct Growth_input {
 };
 
 // All members are called by all lanes of the block, but for those that are called within its functors. The queue has
-// the surfels that have been visited in this pass: first the frontier, then the surfels that shapes took. Its order is
-// arbitrary, but steps of growth are ranges of it.
+// the surfels from which shapes grow in this pass: first those of restarted shapes, then those that shapes took. Its
+// order is arbitrary, but steps of growth are ranges of it.
 template <class Backend, class Block, class Scratch>
 class Cell_growth {
   static_assert(Block::lookahead > 0 && Block::lookahead <= maximum_lookahead,
@@ -93,36 +91,29 @@ public:
   {}
 
   // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
-  // the surfels the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
+  // the surfels the old ones reach. These take one step only, since their planes are still uncertain.
   CGAL_TANDEM_HD void run()
   {
-    block_.single([&] { s_.tail = s_.active_count = 0; });
-    collect_frontier();
+    block_.single([&] { s_.tail = s_.started = 0; });
+    if(job_.has_restarted)
+      collect_restarted();
     const std::uint32_t old = s_.tail; // from here on, surfels that have a shape since this pass
     join_proposals();
-    const bool has_seeds = *job_.seed_cursor < job_.seed_count;
-    if(has_seeds)
-      list_active();
-    expand(0, s_.tail);
-    if(has_seeds)
+    for(std::uint32_t head = 0; head < s_.tail;)
+      head = expand(head);
+    if(*job_.seed_cursor < job_.seed_count)
       start_shapes();
     if(old < s_.tail)
       add_deltas(old, s_.tail);
   }
 
 private:
-  // Queues the surfels from which shapes go on: those whose neighbors were not visited yet, and all of restarted
-  // shapes.
-  CGAL_TANDEM_HD void collect_frontier()
+  CGAL_TANDEM_HD void collect_restarted()
   {
     block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = job_.cell.first + at;
-      // Most surfels of late rounds are on no frontier; without restarts their labels are not read.
-      const bool is_on = state_[i] & frontier_bit;
-      if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
-        return;
-      state_[i] |= frontier_bit;
-      push(i);
+      if(label_[i] < first_mark && shapes_.is_restarted[label_[i]])
+        push(i);
     });
   }
 
@@ -134,32 +125,21 @@ private:
       if(job_.proposal[b] == no_index)
         return;
       label_[i] = job_.proposal[b];
-      state_[i] |= frontier_bit;
       push(i);
     });
   }
 
-  // Breadth-first steps, the first one from [head, tail) of the queue. A free surfel that several shapes reach in one
-  // step goes to the smallest id. Surfels that a shape reaches in its last step stay on the frontier for the next pass.
-  CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
+  // One breadth-first step, from the surfels of the queue behind `head`. Returns where the next one starts. A free
+  // surfel that several shapes reach in one step goes to the smallest id.
+  CGAL_TANDEM_HD std::uint32_t expand(std::uint32_t head)
   {
-    for(int step = 0; head < tail; ++step) {
-      block_.for_each_neighbor(
-        tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, step); },
-        [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
-      const std::uint32_t sources = tail - head;
-      // Claims become labels only now, so that all shapes of a step start from the same labels.
-      block_.for_each(s_.tail - head, [&](std::uint32_t at) {
-        const std::uint32_t i = queued(head + at);
-        if(at >= sources) {
-          label_[i] &= ~first_mark;
-          state_[i] |= frontier_bit;
-        } else if(step < shapes_.steps[label_[i]])
-          state_[i] &= std::uint8_t(~frontier_bit);
-      });
-      head = tail;
-      tail = s_.tail;
-    }
+    const std::uint32_t tail = s_.tail;
+    block_.for_each_neighbor(
+      tail - head, cloud_.k, [&](std::uint32_t source) { return cloud_.row(queued(head + source)); },
+      [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
+    // Claims become labels only now, so that all shapes of a step start from the same labels.
+    block_.for_each(s_.tail - tail, [&](std::uint32_t at) { label_[queued(tail + at)] &= ~first_mark; });
+    return tail;
   }
 
   // Adds [first, last) of the queue to the sums of the shapes: the surfels that came in this pass.
@@ -186,13 +166,6 @@ private:
   // False for no_index.
   CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
 
-  // Null where the shape has used up its steps of this pass.
-  CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int step) const
-  {
-    const std::uint32_t i = queued(place);
-    return step < shapes_.steps[label_[i]] ? cloud_.row(i) : nullptr;
-  }
-
   // Of shape s to surfel q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may
   // lower the label after it was read here. That is harmless: within a step labels only fall, and the minimum remains.
   // Only the first claim replaces free_label, so a surfel is queued once.
@@ -209,38 +182,19 @@ private:
       push(q);
   }
 
-  // The distinct shapes of the queue that keep new ones from starting, until the list is full. Restarted shapes do not
-  // count: as long as planes still move, they would fill the list round after round. Found by rising id, so the list
-  // does not depend on the order of the queue.
-  CGAL_TANDEM_HD void list_active()
-  {
-    std::uint32_t next = 0;
-    for(int count = 0; count < parameters_.seeds_in_flight; ++count) {
-      const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
-        const std::uint32_t label = label_[queued(place)];
-        return label < next || shapes_.is_restarted[label] ? no_index : label;
-      });
-      if(s == no_index)
-        return;
-      next = s + 1;
-      block_.single([&] { s_.active[s_.active_count++] = s; });
-    }
-  }
-
   // New shapes start at the first candidates with a core. Those without one are no seeds any more, and each costs a
   // try. A block may try several at once, as many lanes would be idle for one. The result is as if one were tried after
   // the other: where an earlier shape took surfels of a core, that candidate is tried again. Candidates in reach of a
-  // growing shape are left for later passes.
+  // new shape are left for later passes.
   CGAL_TANDEM_HD void start_shapes()
   {
-    const std::uint32_t first = s_.tail;
+    const std::uint32_t first = s_.tail, end = job_.new_shape + tuning::growth::seeds_per_cell;
     std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
-    int room = parameters_.seeds_in_flight - int(s_.active_count);
-    int tries = parameters_.seed_tries;
-    while(room > 0 && tries > 0) {
+    int tries = tuning::growth::seed_tries;
+    while(shape < end && tries > 0) {
       const std::uint32_t size = try_candidates(at);
       std::uint32_t next = 0;
-      for(; next < size && room > 0 && tries > 0; ++next) {
+      for(; next < size && shape < end && tries > 0; ++next) {
         if(!s_.trial[next].is_candidate)
           continue;
         if(s_.trial[next].taken > 0)
@@ -251,7 +205,6 @@ private:
         }
         start_shape(s_.trial[next], shape);
         recheck_trials(shape++, next + 1, size);
-        --room;
       }
       // A seed is tried once, whether or not its shape could start. What is no candidate was not tried.
       block_.for_each(next, [&](std::uint32_t i) {
@@ -262,7 +215,7 @@ private:
         break; // there were no more
       at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
     }
-    expand(first, s_.tail);
+    expand(first);
   }
 
   // Moves the cursor, so that later passes do not visit used candidates again.
@@ -276,15 +229,15 @@ private:
 
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return internal::is_untried(label_, state_, i); }
 
-  // Whether a shape may start at surfel i. Tests at most maximum_seeds_in_flight planes, so this is cheap enough for
+  // Whether a shape may start at surfel i. Tests at most seeds_per_cell planes, so this is cheap enough for
   // each seed.
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
   {
     if(!is_untried(i))
       return false;
-    for(std::uint32_t a = 0; a < s_.active_count; ++a)
-      if(cloud_.fits(shapes_.plane[s_.active[a]], i, parameters_.tolerance))
-        return false; // a shape that is still growing here may reach it
+    for(std::uint32_t s = job_.new_shape; s < job_.new_shape + s_.started; ++s)
+      if(cloud_.fits(shapes_.plane[s], i, parameters_.tolerance))
+        return false; // a shape that has started here may reach it
     return true;
   }
 
@@ -368,20 +321,18 @@ private:
     return is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, parameters_.tolerance);
   }
 
-  // Starts a shape: its core takes the label. The shape grows by one step in this pass: its plane is still uncertain.
+  // Starts a shape: its core takes the label.
   CGAL_TANDEM_HD void start_shape(const Trial& trial, std::uint32_t shape)
   {
     block_.single([&] {
       shapes_.plane[shape] = trial.plane;
-      shapes_.steps[shape] = 1;
-      s_.active[s_.active_count++] = shape;
+      ++s_.started;
     });
     block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
       const std::uint32_t q = near_seed(trial.seed, j);
       if(!is_in_core(q, trial.plane))
         return;
       label_[q] = shape;
-      state_[q] |= frontier_bit;
       push(q);
     });
   }

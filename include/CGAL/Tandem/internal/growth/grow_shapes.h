@@ -81,7 +81,7 @@ void find_border(Labeled_cloud<Backend>& points)
 }
 
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
-// table of shapes follows below. Also: which cells still have many untried seeds.
+// table of shapes follows below.
 
 // The proposal for a free border surfel: the nearest shape among those of its neighbors that it fits, of equally near
 // ones the smallest id. Labels and planes do not change meanwhile, so the surfels may come in any order.
@@ -148,7 +148,7 @@ struct Grow_cells {
       tables.seeds.seed + tables.cells[c].first,
       tables.seeds.count[c],
       tables.seeds.cursor + c,
-      first_new + c * std::uint32_t(options.seeds_in_flight),
+      first_new + c * tuning::growth::seeds_per_cell,
       tables.cells.may_have(block, c, [&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, {job, cloud, shapes, labels, options}).run();
   }
@@ -157,7 +157,6 @@ struct Grow_cells {
 // Copies what growth reads of the shapes, as there has to be room for new ones.
 struct Copy_for_growth {
   const Plane* plane;
-  const std::uint16_t* steps;
   const std::uint8_t* is_restarted;
   std::size_t shapes;
   Shapes_view copy;
@@ -165,10 +164,8 @@ struct Copy_for_growth {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    if(id < shapes) {
+    if(id < shapes)
       copy.plane[id] = plane[id];
-      copy.steps[id] = steps[id];
-    }
     is_restarted_copy[id] = id < shapes ? is_restarted[id] : 0;
   }
 };
@@ -183,14 +180,13 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   update_tables(points, shapes, tables::lists);
   Border<Backend>& border = points.border;
   const std::size_t cells = points.number_of_cells();
-  const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);
+  const std::size_t ids = shapes.size + cells * std::size_t(tuning::growth::seeds_per_cell);
   const Cloud_view cloud = points.cloud.view();
   Buffer_of<Backend, Plane> plane(ids);
-  Buffer_of<Backend, std::uint16_t> steps(ids);
   Buffer_of<Backend, std::uint8_t> is_restarted(ids);
-  const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
-  backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
-                                        shapes.size, view, is_restarted.data()});
+  const Shapes_view view = {plane.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
+  backend.for_each(
+    ids, Copy_for_growth{shapes.plane.data(), shapes.is_restarted.data(), shapes.size, view, is_restarted.data()});
   backend.for_each(border.surfel.size(), Propose{cloud, points.label(), plane.data(), border.surfel.data(),
                                                  border.proposal.data(), options.tolerance});
   const Cell_tables tables = {points.listed_cells(), border.view(), seeds.view()};
@@ -203,55 +199,6 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
     backend.template for_each_cell<Growth_scratch<largest_cell>>(cells, body);
   return ids;
 }
-
-// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a ratio of its
-// points. Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
-template <class Backend>
-struct Find_untried_cells {
-  Surfels_view surfels;
-  const std::uint32_t* label; // by position, as is the next one
-  const std::uint8_t* state;
-  const Range* cells;
-  Seeds_view seeds;
-  std::uint32_t smallest_shape; // points
-  std::uint32_t* found;         // number of cells
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
-  {
-    const std::uint32_t first = cells[c].first + seeds.cursor[c];
-    const std::uint32_t points = surfels.points(cells[c].last - 1).last - surfels.points(cells[c].first).first;
-    const std::uint32_t many = points / tuning::loop::points_per_untried_point + 1;
-    block.single([&] { untried = 0; });
-    block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
-      if(is_untried(label, state, seeds.seed[first + at]))
-        block.add(untried, surfels.points(seeds.seed[first + at]).size());
-    });
-    block.single([&] {
-      if(untried >= (many < smallest_shape ? many : smallest_shape))
-        Backend::atomic_add(*found, 1u);
-    });
-  }
-};
-
-// Adds the number of the cells that have many untried seeds, with one test for each seed from the cursors on.
-template <class Backend>
-void count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size,
-                         std::uint32_t* found)
-{
-  const std::uint32_t smallest =
-    std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
-  points.backend.template for_each_cell<std::uint32_t>(
-    points.number_of_cells(), Find_untried_cells<Backend>{points.cloud.surfels(), points.label(), points.state(),
-                                                          points.cells.data(), seeds.view(), smallest, found});
-}
-
-// What a pass of growth has found, and has left.
-struct Growth_counts {
-  std::size_t points;        // that got a shape
-  std::size_t large_points;  // of the shapes of at least the minimum size: fragments come and go in every round
-  std::size_t untried_cells; // that have many untried seeds, if these are counted
-};
 
 // Replaces old ids by new ones in the labels. No label has an id that is out of use.
 struct Replace_ids {
@@ -272,13 +219,6 @@ struct Has_started {
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return is_any(delta[i]); }
 };
 
-// The breadth-first steps of a shape in its next pass, from its age in passes. Doubling lets planes mature before they
-// spread over noise. The age of a live shape is at least 1.
-CGAL_TANDEM_HD inline std::uint16_t next_steps(int age)
-{
-  return std::uint16_t(age < tuning::growth::doubling_passes ? 1 << age : tuning::growth::maximum_steps);
-}
-
 // Makes the entries of the new table, those of new shapes last, adds the points of the pass to them, and prepares them
 // for the next pass.
 struct Take_growth {
@@ -286,7 +226,6 @@ struct Take_growth {
   const Plane* old_plane;
   Shape* shape;
   Plane* plane;
-  std::uint16_t* steps;
   std::uint8_t* is_restarted;
   Shared_moments* delta;        // by old id
   const std::uint32_t* kept;    // old ids; null if all are kept
@@ -309,13 +248,11 @@ struct Take_growth {
       plane[i] = old_plane[old];
     }
     new_id[old] = std::uint32_t(i);
-    is_restarted[i] = 0;
-    steps[i] = 0;
+    is_restarted[i] = is_new;
     if(!is_new && !s.is_live())
       return;
     s.is_active = is_any(delta[old]);
     ++s.age;
-    steps[i] = next_steps(s.age);
     if(!s.is_active)
       return;
     s.moments += delta[old].moments();
@@ -326,22 +263,17 @@ struct Take_growth {
   }
 };
 
-// Growth_counts, then the live shapes before, and those that have started.
+// The points that got a shape, the live shapes before, and those that have started.
 struct Count_grown {
   const Shape* shape;
   const Shared_moments* delta;
   std::size_t shapes;
-  std::int64_t minimum_size;
-  const std::uint32_t* untried_cells;
 
   CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
   {
-    const std::int64_t n = delta[id].count + (id < shapes ? shape[id].moments.count : 0);
     sum[0] += delta[id].count;
-    sum[1] += n >= minimum_size ? n : 0;
-    sum[2] += id == 0 ? *untried_cells : 0;
-    sum[3] += id < shapes && shape[id].is_live();
-    sum[4] += id >= shapes && is_any(delta[id]);
+    sum[1] += id < shapes && shape[id].is_live();
+    sum[2] += id >= shapes && is_any(delta[id]);
   }
 };
 
@@ -382,31 +314,29 @@ std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_ta
 // Makes the table of shapes after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind
 // the others. Where most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that
 // keeps all results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new.
-// untried_cells: of this rank, where the functors run.
+// Returns the number of points that got a shape.
 template <class Backend>
-Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids,
-                          std::int64_t minimum_size, const std::uint32_t* untried_cells)
+std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
 {
   using Ids = Buffer_of<Backend, std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
   sum_deltas(backend, points.ranks, shapes);
   const auto count = [&] {
-    return backend.template sum<5>(
-      ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new, minimum_size, untried_cells});
+    return backend.template sum<3>(ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new});
   };
   const Has_started has_started = {shapes.delta.data() + first_new};
   Ids started;
-  std::array<std::int64_t, 5> sums;
+  std::array<std::int64_t, 3> sums;
   if constexpr(Ranks<Backend>::are_many) {
     started = backend.compact(ids - first_new, has_started);
     ids = join_started(backend, points.ranks, shapes, ids, started);
     sums = count();
   } else {
     sums = count();
-    started = backend.compact(ids - first_new, has_started, std::size_t(sums[4]));
+    started = backend.compact(ids - first_new, has_started, std::size_t(sums[2]));
   }
-  const std::size_t live = std::size_t(sums[3]);
+  const std::size_t live = std::size_t(sums[1]);
   Shared_moments* const delta = shapes.delta.data();
   const bool is_sparse = 2 * live < first_new;
   const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}, live) : Ids();
@@ -417,7 +347,6 @@ Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   if(moves) {
     shape.reset(size + size / 2);
     plane.reset(size + size / 2);
-    shapes.steps.reset(size + size / 2);
     shapes.is_restarted.reset(size + size / 2);
   }
   Shape* const table = shapes.change_moments(); // also where they move
@@ -427,7 +356,6 @@ Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   take.old_plane = shapes.plane.data();
   take.shape = moves ? shape.data() : table;
   take.plane = moves ? plane.data() : shapes.plane.data();
-  take.steps = shapes.steps.data();
   take.is_restarted = shapes.is_restarted.data();
   take.delta = delta;
   take.kept = is_sparse ? kept.data() : nullptr;
@@ -445,19 +373,15 @@ Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.number_of_surfels(), Replace_ids{new_id.data(), labels.label});
   points.refresh_labels();
-  return {std::size_t(sums[0]), std::size_t(sums[1]), points.ranks.total(std::size_t(sums[2]))};
+  return std::size_t(sums[0]);
 }
 
-// Runs one pass of growth, from proposals to the table of shapes.
+// Runs one pass of growth, from proposals to the table of shapes. Returns the number of points that got a shape.
 template <class Backend>
-Growth_counts grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                          const Stage_parameters& options, bool counts_untried)
+std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
+                        const Growth_parameters& options)
 {
-  const std::size_t ids = grow_cells(points, shapes, seeds, options.growth);
-  auto untried_cells = filled_buffer(points.backend, 1, std::uint32_t(0));
-  if(counts_untried)
-    count_untried_cells(points, seeds, options.minimum_region_size, untried_cells.data());
-  return take_growth(points, shapes, ids, options.minimum_region_size, untried_cells.data());
+  return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
 }
 
 // The fits of shapes that started in the last pass, as their planes.
@@ -474,7 +398,7 @@ struct Started_shapes : Changed_shapes {
 };
 
 // Gives shapes that started in the last pass their local planes, between two passes of a round. So they can go on
-// before they have relations. They are on the frontier as a whole, so they need no restart.
+// before they have relations.
 template <class Backend>
 void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {

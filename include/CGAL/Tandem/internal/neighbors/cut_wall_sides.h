@@ -110,9 +110,10 @@ struct Drop_opposite_side {
 
 // Whether normals are oriented like most of their neighbors is decided for the whole cloud.
 template <class Backend>
-void cut_wall_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud, const Tolerance& tight)
+void cut_wall_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
+                    double maximum_distance_steps)
 {
-  const double distance_steps = double(tight.distance) / normal_scale;
+  const double distance_steps = maximum_distance_steps * tuning::orientation::same_side_fraction;
   const Cloud_view view = cloud.view();
   Buffer_of<Backend, std::uint32_t> weight(cloud.size_with_ghosts());
   backend.for_each(view.size, Write_weight{view.surfels, weight.data()});

@@ -18,12 +18,11 @@ constexpr std::uint32_t free_label = 0xffffffffu;
 constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; an assignment can
 
 // Bits of the state of a surfel. At any time at most one lane changes those of a surfel, so there are no races.
-constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
-constexpr std::uint8_t tried_seed_bit = 2; // it has been tried as a seed, or its shape was dissolved
-constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
+constexpr std::uint8_t tried_seed_bit = 1; // it has been tried as a seed, or its shape was dissolved
+constexpr std::uint8_t detached_bit = 2;   // it has been detached once; the second time locks it
 // All of its neighbors had its label, so passes over contacts leave it out. Neighbors may have another one later: see
 // Phase in Labeled_cloud.h.
-constexpr std::uint8_t interior_bit = 8;
+constexpr std::uint8_t interior_bit = 4;
 
 // The labels and states of surfels, by position in the sorted cloud.
 struct Labels_view {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where shapes start: the most planar surfels of a cell first, then those nearest to its center (section 3 of the
-// paper). Of equally planar surfels, those that are so within tighter bounds come first. They lie away from edges and
-// steps, where normals lean and a plane would bridge two surfaces. Computed once, before the first round.
+// paper). Computed once, before the first round.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
@@ -23,27 +22,23 @@ CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 struct Planarity {
   int all = 0;     // neighbors
   int fitting = 0; // ... that fit the plane of the surfel itself, within its tolerance
-  int close = 0;   // ... that do so within tighter bounds
 };
 
 // How planar the surface is at surfel i. All numbers are in [0, k]. A surfel without a normal has none of either.
-CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
-                                          const Tolerance& tight)
+CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance)
 {
   Planarity p;
   if(cloud.point[i].normal == no_normal)
     return p;
   const Plane plane = own_plane(cloud.point[i]);
-  const std::int64_t near = cloud.tolerance_of(i, tolerance).distance, close = cloud.tolerance_of(i, tight).distance;
+  const std::int64_t near = cloud.tolerance_of(i, tolerance).distance;
   const std::uint32_t* row = cloud.row(i);
   for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
     ++p.all;
     const std::int64_t e = signed_distance(plane, cloud.point[row[j]]);
-    const std::int64_t distance = e < 0 ? -e : e;
     const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
-    // as fits(), twice; no branches, since half of them would be mispredicted
-    p.fitting += int(distance <= near) & int(cosine.is_at_least(tolerance.squared_cosine));
-    p.close += int(distance <= close) & int(cosine.is_at_least(tight.squared_cosine));
+    // as fits(); no branches, since half of them would be mispredicted
+    p.fitting += int((e < 0 ? -e : e) <= near) & int(cosine.is_at_least(tolerance.squared_cosine));
   }
   return p;
 }
@@ -69,11 +64,6 @@ struct Seeds {
 // cell.
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
-struct Seed_bounds {
-  Tolerance tolerance, tight;
-  std::size_t cell_size; // most surfels of a cell
-};
-
 // The box of the surfels of a cell. Its middle is the center by which seeds are ordered.
 struct Box_scratch {
   Box box;
@@ -85,7 +75,7 @@ struct Rate_seeds {
   Cloud_view cloud;
   const Range* cells;
   std::uint64_t* key;
-  Seed_bounds bounds;
+  Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Box_scratch& scratch, std::uint32_t c) const
@@ -100,11 +90,11 @@ struct Rate_seeds {
   }
 
 private:
-  // The key of a surfel. From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in
-  // units of 2^16; 16 for the place in the cell.
+  // The key of a surfel. From the highest bit: 7 bits for the planarity, as k <= 64; 34 for the squared distance in units
+  // of 2^16; 16 for the place in the cell.
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
-    const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
+    const Planarity score = planarity(cloud, i, tolerance);
     constexpr tuning::Ratio ratio = tuning::growth::seed_ratio;
     if(score.all == 0 || !ratio.is_reached(score.fitting, score.all))
       return not_a_seed;
@@ -113,8 +103,7 @@ private:
     const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
     const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
     const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 16; // < 2^34
-    return std::uint64_t(cloud.k - score.fitting) << 57 | std::uint64_t(cloud.k - score.close) << 50 | distance << 16 |
-           at;
+    return std::uint64_t(cloud.k - score.fitting) << 50 | distance << 16 | at;
   }
 };
 
@@ -138,9 +127,9 @@ struct Take_seeds {
   }
 };
 
-// The seeds of all cells. The keys take 8 bytes a surfel meanwhile.
+// The seeds of all cells. The keys take 8 bytes a surfel meanwhile. cell_size: most surfels of a cell.
 template <class Backend>
-Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bounds)
+Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Tolerance& tolerance, std::size_t cell_size)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels(), cells = points.number_of_cells();
@@ -149,9 +138,9 @@ Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bo
   seeds.seed.reset(n);
   seeds.count.reset(cells);
   seeds.cursor = filled_buffer(backend, cells, std::uint32_t(0));
-  backend.template for_each_cell<Box_scratch>(cells,
-                                              Rate_seeds{points.cloud.view(), points.cells.data(), key.data(), bounds});
-  backend.sort_ranges(key.data(), points.cells.data(), cells, n, bounds.cell_size);
+  backend.template for_each_cell<Box_scratch>(
+    cells, Rate_seeds{points.cloud.view(), points.cells.data(), key.data(), tolerance});
+  backend.sort_ranges(key.data(), points.cells.data(), cells, n, cell_size);
   backend.template for_each_cell<Box_scratch>(
     cells, Take_seeds{points.cells.data(), key.data(), seeds.seed.data(), seeds.count.data()});
   return seeds;

@@ -53,7 +53,7 @@ CGAL_TANDEM_HD inline Tolerance mean_tolerance(const Fitted_moments& m, const To
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
 struct Shape_history {
   Regular_plane checked = {};   // against which its surfels were checked last, and ...
-  Regular_plane restarted = {}; // ... with which the whole shape was put on the frontier
+  Regular_plane restarted = {}; // ... with which the shape grew from all of its surfels last
   std::int32_t is_fitted = 0;   // its plane is fitted to the points that it has
   std::int32_t is_linked = 0;   // its links are those of its points and plane; wide, so that all bytes are defined
 
@@ -67,7 +67,7 @@ struct Shape_history {
     return true;
   }
 
-  // Whether its plane has moved far since the whole shape was put on the frontier.
+  // Whether its plane has moved far since it grew from all of its surfels.
   CGAL_TANDEM_HD bool restart_again(const Box& box, const Regular_plane& plane, double maximum_distance_steps)
   {
     if(!(bound_motion(box, restarted, plane) > tuning::motion::restart * maximum_distance_steps))

@@ -58,8 +58,7 @@ struct Shape_table {
 
   std::size_t size = 0;              // ids, in use or not; the buffers may have room for more
   Buffer<Plane> plane;               // rounded, for the tests of surfels
-  Buffer<std::uint16_t> steps;       // breadth-first steps of the next pass
-  Buffer<std::uint8_t> is_restarted; // grows again from all of its surfels in the next pass
+  Buffer<std::uint8_t> is_restarted; // grows from all of its surfels in the next pass
   Buffer<Shared_moments> delta;      // what a pass over the surfels adds to each shape; zero between passes
 
 private:

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters of a detection in the units of the grid. make_stage_parameters.h computes them; they stay as they are, but for
-// seeds_in_flight.
+// The parameters of a detection in the units of the grid. make_stage_parameters.h computes them.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_STAGE_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_STAGE_PARAMETERS_H
@@ -20,10 +19,8 @@ namespace CGAL::Tandem::internal {
 
 // How shapes start and grow: see the manual, "Growth".
 struct Growth_parameters {
-  Tolerance tolerance;     // epsilon and alpha
-  int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds
-  int seed_tries;          // candidates that may fail in one pass
-  std::uint32_t core_size; // fewest surfels that a shape begins with ...
+  Tolerance tolerance;      // epsilon and alpha
+  std::uint32_t core_size;  // fewest surfels that a shape begins with ...
   std::int64_t core_points; // ... unless at least three have so many points
   std::size_t cell_size;    // most surfels of a cell
 };
@@ -66,7 +63,6 @@ struct Stage_parameters {
   std::int64_t minimum_region_size;
   std::int64_t minimum_related_size;  // smaller shapes get no relations in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing
-  Tolerance tight;                    // of the second criterion of seeds
   Tolerance certain, possible;        // bounds within which the exact check is not needed, and beyond which it fails
   Exact_bounds exact;                 // in the caller's units
   int regularity_period;              // in rounds

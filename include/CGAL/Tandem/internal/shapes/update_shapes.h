@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows from changed planes and merges: local fits, new labels, detached surfels, shapes that are put on the
-// frontier again. Changes the table of shapes, labels, states and lists of the cells. Which shapes merge, and which
+// What follows from changed planes and merges: local fits, new labels, detached surfels, shapes that grow again from all
+// of their surfels. Changes the table of shapes, labels, states and lists of the cells. Which shapes merge, and which
 // planes they have, is decided elsewhere.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
@@ -103,10 +103,10 @@ struct Update_surfels {
       const std::uint32_t s = change.target[old];
       if(s >= first_mark) {
         labels.label[i] = s;
-        labels.state[i] = std::uint8_t((labels.state[i] | tried_seed_bit) & ~(frontier_bit | interior_bit));
+        labels.state[i] = std::uint8_t((labels.state[i] | tried_seed_bit) & ~interior_bit);
       } else if(change.checks(old) && !cloud.fits(change.plane[s], i, change.tolerance)) {
         labels.label[i] = labels.state[i] & detached_bit ? locked_label : free_label;
-        labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~(frontier_bit | interior_bit));
+        labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~interior_bit);
         table.template add<Backend>(block, s, i, -1, losses);
       } else if(s != old) {
         labels.label[i] = s;
@@ -186,7 +186,7 @@ struct Apply_plane {
     plane[id] = rounded(s.plane);
     const double distance = maximum_distance_steps * std::sqrt(squared_tolerance(s.moments));
     if(s.history.restart_again(s.box, s.plane, distance))
-      is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
+      is_restarted[id] = 1;
     is_moved[id] = s.history.check_again(s.box, s.plane, distance);
   }
 };

@@ -75,6 +75,9 @@ namespace orientation {
 // They are where this ratio of close neighbors on one plane agrees. All do where normals are oriented, .82 where a
 // tenth of them is wrong, half of them where they are not oriented.
 constexpr Ratio agreement = {3, 4};
+// Neighbors with opposite normals are of one surface if they are this close to the plane of a surfel, as a fraction of
+// epsilon. Larger: the sides of thin walls are connected.
+constexpr double same_side_fraction = 1. / 4;
 // Surfels of which one is looked at. Larger: less time, and chance decides in small clouds.
 constexpr std::size_t surfels_per_sampled = 8;
 

@@ -17,46 +17,27 @@ namespace tuning {
 // Seeds, and growth inside the octree cells (section 3 of the paper).
 namespace growth {
 
-// The tighter bounds by which equally planar seeds are ordered, as fractions of epsilon and alpha. Larger: seeds near
-// edges and steps, where a plane bridges two surfaces.
-constexpr double tight_distance_fraction = 1. / 4;
-constexpr double tight_angle_fraction = 1. / 2;
 // Neighbors that have to fit the plane of a seed.
 constexpr Ratio seed_ratio = {1, 2};
-// Shapes that may grow in a cell for a new one to begin, in the first rounds and later. The paper has one. More: fewer
-// rounds at the same quality; many more in the first rounds: shapes do not meet the faces they belong to.
-constexpr int young_seeds_in_flight = 8;
-constexpr int maximum_seeds_in_flight = 32;
+// Shapes that may start in a cell in one pass. The paper has one. More: fewer rounds at the same quality.
+constexpr std::uint32_t seeds_per_cell = 32;
 // Seeds of a cell that may fail in one pass. More: clutter is searched longer.
 constexpr int seed_tries = 64;
 // The core of a new shape: one point of so many of the neighbors and the seed, but at most one of so many of a full
 // cell.
 constexpr std::size_t neighbors_per_core_point = 2;
 constexpr std::size_t cell_points_per_core_point = 8;
-// Breadth-first steps of a shape: 1, 2, 4, ... in its first passes, so many, then as many as in the last of them. More
-// at first: immature planes grow over noise. Regularizing young shapes often is what keeps directions few.
-constexpr int doubling_passes = 9;
-constexpr int maximum_steps = 1 << (doubling_passes - 1);
 
 } // namespace growth
 
 // The loop of rounds, and when it ends.
 namespace loop {
 
-// A bound on the rounds, which scans do not reach: they take 6 to 8.
+// A bound on the rounds, which scans do not reach: they take 2 to 4.
 constexpr int maximum_rounds = 300;
-// In the first rounds all shapes are small: one pass each, and the loop does not end by slow growth.
-constexpr int young_rounds = 4;
-// A round is slow when large shapes have grown by at most one point of so many of the cloud. A slow
-// round in which no cell is untried ends the loop. Larger: the loop goes on for little; smaller: faces behind patches
-// are missed.
-constexpr std::size_t points_per_slow_point = 32;
-// Passes of growth in a round, at most. There is a next one while more than one cell of so many is untried.
-constexpr int maximum_passes = 9;
-constexpr std::size_t cells_per_untried_cell = 64;
-// A cell is untried with as many candidates as the smallest shape has points, or with more than one in so many of its
-// points.
-constexpr std::uint32_t points_per_untried_point = 4;
+// The loop ends after a round in which at most one point of so many of the cloud got a shape. Larger: the loop goes on
+// for little, since surfels find their shapes in the end game, too.
+constexpr std::size_t points_per_new_point = 32;
 // Sizes as ratios of the minimum region size. Shapes below the ratio, or below the number of points, are
 // dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces become free before they
 // meet.
