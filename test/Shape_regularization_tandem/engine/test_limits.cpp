@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(test_full_cell)
   }
 }
 
-// A plane that must have most of the points: it takes rounds until a shape is that large.
+// A plane that must have most of the points: it takes rounds and unions until a shape is that large.
 BOOST_AUTO_TEST_CASE(test_large_minimum)
 {
   Random random(11);
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(test_large_minimum)
   for(std::size_t i = 0; i < size; ++i)
     add(cloud, {between(random, 0, 10), between(random, 0, 10), between(random, -.01, .01)}, {0, 0, 1});
   const Shapes shapes = check_plane("large minimum", cloud, make_parameters(.02, size / 10 * 9));
-  CHECK_AT(shapes.statistics().number_of_rounds > 4, std::to_string(shapes.statistics().number_of_rounds));
+  CHECK_AT(shapes.statistics().number_of_rounds > 1, std::to_string(shapes.statistics().number_of_rounds));
 }
 
 // Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.

@@ -178,7 +178,10 @@ void check_pass(Backend& backend, const std::string& where, const Fixture& f, bo
   shapes.plane = to_buffer(backend, plane);
   shapes.is_restarted = filled_buffer(backend, room, std::uint8_t(1));
   shapes.delta = to_buffer(backend, delta);
-  check_equal(take_growth(points, shapes, ids), new_points, where + ": new points");
+  const auto untried_cells = filled_buffer(backend, 1, std::uint32_t(7));
+  const Growth_counts counts = take_growth(points, shapes, ids, untried_cells.data());
+  check_equal(counts.points, new_points, where + ": new points");
+  check_equal(counts.untried_cells, std::size_t(7), where + ": untried cells");
   std::vector<std::uint32_t> old, new_id(ids, no_index); // ids before, by new id, and the other way round
   for(std::uint32_t id = 0; id < ids; ++id)
     if(id < size ? is_live(id) || !is_sparse : is_any(delta[id])) {

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(state_after_rounds)
         }
         rounds += state.round;
       }
-  CHECK_AT(rounds > 80, std::to_string(rounds) + " rounds in all");
+  CHECK_AT(rounds > 45, std::to_string(rounds) + " rounds in all");
 }
 
 using Link_buffer = Sequential_backend::Buffer<Link>;
@@ -162,7 +162,7 @@ void merge_with_those_before(State& t)
 
 BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
-  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
+  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options); });
   check_stage("dropping", [](State& t, Link_buffer&) {
     drop_shapes(t.points, t.shapes, [](const Shape& s, std::size_t) { return s.moments.count < 200; });
   });

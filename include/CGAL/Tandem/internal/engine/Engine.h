@@ -77,16 +77,20 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
   is_prepared_ = prepare(state_, in, parameters, times_, progress);
 }
 
-// Two passes of growth: in the first one shapes start, and are fitted, before they go on in the second one. Fitting all
-// shapes between them finds fewer faces on noisy scenes. Returns the number of points that got a shape. See the manual,
-// "Growth".
+// Passes of growth, until no cell has many untried seeds, or all passes are used. Patches too small for a shape do not
+// delay the faces behind them so. Between passes only shapes that have just started are fitted: fitting all shapes finds
+// fewer faces on noisy scenes. Returns the number of points that got a shape. See the manual, "Growth".
 template <class Backend>
 std::size_t Engine<Backend>::grow()
 {
-  const auto pass = [&] { return grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth); };
-  const std::size_t points = pass();
-  take_local_planes(state_.points, state_.shapes);
-  return points + pass();
+  Growth_counts grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options);
+  std::size_t points = grown.points;
+  for(int pass = 1; grown.untried_cells > 0 && pass < tuning::loop::maximum_passes; ++pass) {
+    take_local_planes(state_.points, state_.shapes);
+    grown = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options);
+    points += grown.points;
+  }
+  return points;
 }
 
 // Of more than one pass, and has stopped growing while it is small.

@@ -200,6 +200,54 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   return ids;
 }
 
+// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a ratio of its
+// points. Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
+template <class Backend>
+struct Find_untried_cells {
+  Surfels_view surfels;
+  const std::uint32_t* label; // by position, as is the next one
+  const std::uint8_t* state;
+  const Range* cells;
+  Seeds_view seeds;
+  std::uint32_t smallest_shape; // points
+  std::uint32_t* found;         // number of cells
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
+  {
+    const std::uint32_t first = cells[c].first + seeds.cursor[c];
+    const std::uint32_t points = surfels.points(cells[c].last - 1).last - surfels.points(cells[c].first).first;
+    const std::uint32_t many = points / tuning::loop::points_per_untried_point + 1;
+    block.single([&] { untried = 0; });
+    block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
+      if(is_untried(label, state, seeds.seed[first + at]))
+        block.add(untried, surfels.points(seeds.seed[first + at]).size());
+    });
+    block.single([&] {
+      if(untried >= (many < smallest_shape ? many : smallest_shape))
+        Backend::atomic_add(*found, 1u);
+    });
+  }
+};
+
+// Adds the number of the cells that have many untried seeds, with one test for each seed from the cursors on.
+template <class Backend>
+void count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size,
+                         std::uint32_t* found)
+{
+  const std::uint32_t smallest =
+    std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
+  points.backend.template for_each_cell<std::uint32_t>(
+    points.number_of_cells(), Find_untried_cells<Backend>{points.cloud.surfels(), points.label(), points.state(),
+                                                          points.cells.data(), seeds.view(), smallest, found});
+}
+
+// What a pass of growth has found, and has left.
+struct Growth_counts {
+  std::size_t points;        // that got a shape
+  std::size_t untried_cells; // that have many untried seeds
+};
+
 // Replaces old ids by new ones in the labels. No label has an id that is out of use.
 struct Replace_ids {
   const std::uint32_t* new_id; // by old id
@@ -263,17 +311,19 @@ struct Take_growth {
   }
 };
 
-// The points that got a shape, the live shapes before, and those that have started.
+// Growth_counts, then the live shapes before, and those that have started.
 struct Count_grown {
   const Shape* shape;
   const Shared_moments* delta;
   std::size_t shapes;
+  const std::uint32_t* untried_cells;
 
   CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
   {
     sum[0] += delta[id].count;
-    sum[1] += id < shapes && shape[id].is_live();
-    sum[2] += id >= shapes && is_any(delta[id]);
+    sum[1] += id == 0 ? *untried_cells : 0;
+    sum[2] += id < shapes && shape[id].is_live();
+    sum[3] += id >= shapes && is_any(delta[id]);
   }
 };
 
@@ -314,29 +364,30 @@ std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_ta
 // Makes the table of shapes after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind
 // the others. Where most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that
 // keeps all results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new.
-// Returns the number of points that got a shape.
+// untried_cells: of this rank, where the functors run.
 template <class Backend>
-std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
+Growth_counts take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids,
+                          const std::uint32_t* untried_cells)
 {
   using Ids = Buffer_of<Backend, std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
   sum_deltas(backend, points.ranks, shapes);
   const auto count = [&] {
-    return backend.template sum<3>(ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new});
+    return backend.template sum<4>(ids, Count_grown{shapes.counted(), shapes.delta.data(), first_new, untried_cells});
   };
   const Has_started has_started = {shapes.delta.data() + first_new};
   Ids started;
-  std::array<std::int64_t, 3> sums;
+  std::array<std::int64_t, 4> sums;
   if constexpr(Ranks<Backend>::are_many) {
     started = backend.compact(ids - first_new, has_started);
     ids = join_started(backend, points.ranks, shapes, ids, started);
     sums = count();
   } else {
     sums = count();
-    started = backend.compact(ids - first_new, has_started, std::size_t(sums[2]));
+    started = backend.compact(ids - first_new, has_started, std::size_t(sums[3]));
   }
-  const std::size_t live = std::size_t(sums[1]);
+  const std::size_t live = std::size_t(sums[2]);
   Shared_moments* const delta = shapes.delta.data();
   const bool is_sparse = 2 * live < first_new;
   const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}, live) : Ids();
@@ -373,15 +424,18 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.number_of_surfels(), Replace_ids{new_id.data(), labels.label});
   points.refresh_labels();
-  return std::size_t(sums[0]);
+  return {std::size_t(sums[0]), points.ranks.total(std::size_t(sums[1]))};
 }
 
-// Runs one pass of growth, from proposals to the table of shapes. Returns the number of points that got a shape.
+// Runs one pass of growth, from proposals to the table of shapes.
 template <class Backend>
-std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                        const Growth_parameters& options)
+Growth_counts grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
+                          const Stage_parameters& options)
 {
-  return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
+  const std::size_t ids = grow_cells(points, shapes, seeds, options.growth);
+  auto untried_cells = filled_buffer(points.backend, 1, std::uint32_t(0));
+  count_untried_cells(points, seeds, options.minimum_region_size, untried_cells.data());
+  return take_growth(points, shapes, ids, untried_cells.data());
 }
 
 // The fits of shapes that started in the last pass, as their planes.

@@ -38,6 +38,10 @@ constexpr int maximum_rounds = 300;
 // The loop ends after a round in which at most one point of so many of the cloud got a shape. Larger: the loop goes on
 // for little, since surfels find their shapes in the end game, too.
 constexpr std::size_t points_per_new_point = 32;
+// Passes of growth in a round, at most. There is a next one while a cell is untried: it has as many candidates as the
+// smallest shape has points, or more than one in so many of its points.
+constexpr int maximum_passes = 9;
+constexpr std::uint32_t points_per_untried_point = 4;
 // Sizes as ratios of the minimum region size. Shapes below the ratio, or below the number of points, are
 // dissolved when they stop growing, unless the minimum size is less. Larger: parts of faces become free before they
 // meet.
