@@ -52,12 +52,13 @@ try {
               .minimum_region_size(std::size_t(std::atol(argv[4])))
               .point_map(Point_map())
               .normal_map(Normal_map()));
-  for(int round = 1; detection.iterate(); ++round)
-    if(round <= 3)
-      look(detection.shapes(), "round " + std::to_string(round), folder + "round_" + std::to_string(round));
+  bool goes_on = true;
+  for(int round = 1; goes_on; ++round) {
+    goes_on = detection.iterate();
+    look(detection.shapes(), "round " + std::to_string(round), folder + "round_" + std::to_string(round));
+  }
   detection.finish();
-  const std::size_t rounds = detection.shapes().statistics().number_of_rounds;
-  look(detection.shapes(), "round " + std::to_string(rounds) + ", and the end game", folder + "round_last");
+  look(detection.shapes(), "the end game", folder + "round_last");
   return 0;
 } catch(const std::exception& e) {
   std::fprintf(stderr, "rounds: %s\n", e.what());
