@@ -37,10 +37,9 @@ void never(F)
 // Block, for lanes that share the scratch of a cell:
 //   lookahead                              items worth trying before it is known whether they are needed, at most 32
 //   for_each(n, f)                         f(i) for i in [0, n); then all lanes see all writes
-//   for_each_neighbor(n, k, row, f)        f(s, q) for each source s and each entry q of row(s), which may be null
+//   for_each_neighbor(n, k, row, f)        f(s, q) for each source s and each entry q of row(s)
 //   find_first(first, n, f)                the smallest i in [first, n) with f(i), or n
 //   find(first, n, maximum, f, take)       take(rank, i) for the first i with f(i); returns how many
-//   min(n, f)                              the smallest f(i), or no_index
 //   single(f)                              f() once
 //   accumulate<Sum>(n, f, add)             f(i, sum) with a sum for each lane, then add(sum) once for each
 //   load, fetch_min, add, append, exchange_if, count_pair, add_moments, add_box
@@ -75,11 +74,6 @@ struct Block {
     if(false && f(0u))
       take(0u, 0u);
     return 0;
-  }
-  template <class F>
-  std::uint32_t min(std::uint32_t, F f)
-  {
-    return false ? f(0u) : 0;
   }
   template <class F>
   void single(F f)

@@ -78,9 +78,7 @@ struct Shuffled_block : Serial_block {
   {
     dice.visit(0, std::size_t(n) * std::size_t(k), [&](std::size_t at) {
       const std::uint32_t source = std::uint32_t(at / std::size_t(k));
-      const std::uint32_t* neighbors = row(source);
-      if(neighbors != nullptr)
-        f(source, neighbors[at % std::size_t(k)]);
+      f(source, row(source)[at % std::size_t(k)]);
     });
   }
 
@@ -107,14 +105,6 @@ struct Shuffled_block : Serial_block {
     const std::uint32_t size = (std::min)(std::uint32_t(found.size()), most);
     for_each(size, [&](std::uint32_t rank) { take(rank, found[rank]); });
     return size;
-  }
-
-  template <class F>
-  std::uint32_t min(std::uint32_t n, F f)
-  {
-    std::uint32_t least = no_index;
-    dice.visit(0, n, [&](std::size_t i) { least = (std::min)(least, std::uint32_t(f(std::uint32_t(i)))); });
-    return least;
   }
 
   static constexpr std::uint32_t window = 64;

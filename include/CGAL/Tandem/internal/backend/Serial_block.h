@@ -60,18 +60,6 @@ struct Serial_block {
     return size;
   }
 
-  // The smallest f(i) for i in [0, n), or no_index.
-  template <class F>
-  std::uint32_t min(std::uint32_t n, F f)
-  {
-    std::uint32_t minimum = no_index;
-    for(std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t value = f(i);
-      minimum = value < minimum ? value : minimum;
-    }
-    return minimum;
-  }
-
   // f() once.
   template <class F>
   void single(F f)

@@ -60,7 +60,6 @@ struct Growth_scratch {
   std::uint16_t queue[CellSize]; // cell-relative surfels; each is queued at most once
   std::uint32_t tail;            // of the queue: its size
   Moment_table table;
-  std::uint32_t started; // shapes, in this pass
   Trial trial[maximum_lookahead];
 };
 
@@ -91,10 +90,10 @@ public:
   {}
 
   // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
-  // the surfels the old ones reach. These take one step only, since their planes are still uncertain.
+  // the surfels the old ones reach. New ones take one step only, since their planes are still uncertain.
   CGAL_TANDEM_HD void run()
   {
-    block_.single([&] { s_.tail = s_.started = 0; });
+    block_.single([&] { s_.tail = 0; });
     if(job_.has_restarted)
       collect_restarted();
     const std::uint32_t old = s_.tail; // from here on, surfels that have a shape since this pass
@@ -192,7 +191,7 @@ private:
     std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
     int tries = tuning::growth::seed_tries;
     while(shape < end && tries > 0) {
-      const std::uint32_t size = try_candidates(at);
+      const std::uint32_t size = try_candidates(at, shape);
       std::uint32_t next = 0;
       for(; next < size && shape < end && tries > 0; ++next) {
         if(!s_.trial[next].is_candidate)
@@ -229,26 +228,26 @@ private:
 
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return internal::is_untried(label_, state_, i); }
 
-  // Whether a shape may start at surfel i. Tests at most seeds_per_cell planes, so this is cheap enough for
-  // each seed.
-  CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
+  // Whether shape `next` may start at surfel i. Tests at most seeds_per_cell planes, so this is cheap enough for each
+  // seed.
+  CGAL_TANDEM_HD bool is_candidate(std::uint32_t i, std::uint32_t next) const
   {
     if(!is_untried(i))
       return false;
-    for(std::uint32_t s = job_.new_shape; s < job_.new_shape + s_.started; ++s)
+    for(std::uint32_t s = job_.new_shape; s < next; ++s)
       if(cloud_.fits(shapes_.plane[s], i, parameters_.tolerance))
         return false; // a shape that has started here may reach it
     return true;
   }
 
-  // Tries the next candidates, at most Block::lookahead; returns how many. All of them are tried with the same labels.
+  // Tries the next candidates for shape `next`, at most Block::lookahead; returns how many. All of them are tried with the same labels.
   // A trial with too few points keeps the plane of its seed; its count is then too small as well.
-  CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
+  CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at, std::uint32_t next)
   {
     const Grid_point& o = base();
     // First the surfels that fit the planes of the seeds, then the new planes, then the cores.
     const std::uint32_t size = block_.find(
-      at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
+      at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c], next); },
       [&](std::uint32_t i, std::uint32_t c) {
         const std::uint32_t seed = job_.seed[c];
         s_.trial[i] = {c, seed, true, own_plane(cloud_.point[seed]), Cell_moments(), 0, 0, 0};
@@ -324,10 +323,7 @@ private:
   // Starts a shape: its core takes the label.
   CGAL_TANDEM_HD void start_shape(const Trial& trial, std::uint32_t shape)
   {
-    block_.single([&] {
-      shapes_.plane[shape] = trial.plane;
-      ++s_.started;
-    });
+    block_.single([&] { shapes_.plane[shape] = trial.plane; });
     block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
       const std::uint32_t q = near_seed(trial.seed, j);
       if(!is_in_core(q, trial.plane))

@@ -81,7 +81,7 @@ void find_border(Labeled_cloud<Backend>& points)
 }
 
 // --- One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
-// table of shapes follows below.
+// table of shapes follows below. Also: which cells still have many untried seeds.
 
 // The proposal for a free border surfel: the nearest shape among those of its neighbors that it fits, of equally near
 // ones the smallest id. Labels and planes do not change meanwhile, so the surfels may come in any order.

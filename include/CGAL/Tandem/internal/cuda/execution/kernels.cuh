@@ -132,32 +132,6 @@ struct Cuda_block {
     return size < maximum ? size : maximum;
   }
 
-  // First in each lane, then in each warp, then among the warps: few lanes meet in shared memory.
-  template <class F>
-  __device__ std::uint32_t min(std::uint32_t n, F f)
-  {
-    __shared__ std::uint32_t minimum;
-    __syncthreads();
-    if(threadIdx.x == 0)
-      minimum = no_index;
-    std::uint32_t own = no_index;
-    for(std::uint32_t i = threadIdx.x; i < n; i += Lanes) {
-      const std::uint32_t value = f(i);
-      own = value < own ? value : own;
-    }
-    for(int step = 16; step > 0; step /= 2) {
-      const std::uint32_t other = __shfl_xor_sync(0xffffffffu, own, step);
-      own = other < own ? other : own;
-    }
-    __syncthreads();
-    if(threadIdx.x % 32 == 0)
-      atomicMin(&minimum, own);
-    __syncthreads();
-    const std::uint32_t result = minimum;
-    __syncthreads();
-    return result;
-  }
-
   template <class F>
   __device__ void single(F f)
   {
