@@ -132,7 +132,7 @@ def results(work):
     points = np.loadtxt(work / "cloud.xyz")[:, :3]
     distance, angle, _ = PARAMETERS.values()
     write_table("rounds", "after", output_of(BUILD / "results/rounds", building(), distance, angle, 20, work))
-    for name in ("round_1", "round_2", "round_last"):
+    for name in ("round_1", "round_last"):
         draw_shapes(name, read(name), read("round_last"))
 
     right, right_row, parameters = detect()

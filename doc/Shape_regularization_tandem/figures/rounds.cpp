@@ -52,11 +52,8 @@ try {
               .minimum_region_size(std::size_t(std::atol(argv[4])))
               .point_map(Point_map())
               .normal_map(Normal_map()));
-  bool goes_on = true;
-  for(int round = 1; goes_on; ++round) {
-    goes_on = detection.iterate();
+  for(int round = 1; detection.iterate(); ++round)
     look(detection.shapes(), "round " + std::to_string(round), folder + "round_" + std::to_string(round));
-  }
   detection.finish();
   look(detection.shapes(), "the end game", folder + "round_last");
   return 0;

@@ -96,6 +96,7 @@ BOOST_AUTO_TEST_CASE(bodies)
     const Slow_edge_sides slow(f);
     const Edge_view view = {f.cloud, f.label.data(), f.plane.data(), f.tolerance};
     std::vector<std::uint32_t> side(n), normal_of_side(n);
+    const std::vector<std::uint8_t> state(n, 0);
     std::size_t moved = 0;
     for(std::uint32_t i = 0; i < n; ++i) {
       std::tie(side[i], normal_of_side[i]) = slow.choose_naively(i);
@@ -103,7 +104,7 @@ BOOST_AUTO_TEST_CASE(bodies)
     }
     CHECK_AT(n < 100 || moved > 20, f.name + ": hardly any point changes");
     on_body_backends([&](auto backend, const std::string& name) {
-      const auto edge = backend.compact(n, Is_at_edge{view});
+      const auto edge = backend.compact(n, Is_at_edge{view, state.data()});
       std::vector<std::uint32_t> chosen(n), normal(n);
       backend.for_each(n, Copy_items<std::uint32_t>{view.label, chosen.data()});
       backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()});

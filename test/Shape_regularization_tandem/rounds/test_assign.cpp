@@ -63,6 +63,7 @@ public:
   Call assign(const Labels& before)
   {
     shape_ = shapes_of(before);
+    note_bonuses();
     Labels label = before;
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark && !f.fits(label[i], i)) {
@@ -78,9 +79,24 @@ public:
     return {f.plane, before, label};
   }
 
+  // The next call is that of another assignment.
+  void forget() { plane_.clear(); }
+
 private:
-  // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning:
-  // of what it exceeds that of the own shape, as much as the surface of both is continuous.
+  // Of one point more than a shape had at the beginning of the call in which its plane was new.
+  void note_bonuses()
+  {
+    bonus_.resize(f.plane.size());
+    for(std::size_t s = 0; s < f.plane.size(); ++s) {
+      const std::int64_t points = shape_[s].moments.count;
+      if(plane_.empty() || !(plane_[s] == f.plane[s]))
+        bonus_[s] = points > 0 ? options.score.point_bonus(points) : 0;
+    }
+    plane_ = f.plane;
+  }
+
+  // The weight of the point, half a point for all of its links, and the bonus: of what it exceeds that of the own
+  // shape, as much as the surface of both is continuous.
   std::int64_t worth(const Labels& label, std::uint32_t i, std::uint32_t s) const
   {
     std::int64_t links = 0;
@@ -88,15 +104,9 @@ private:
     const std::int64_t distance = signed_distance(f.plane[s], f.point[i]);
     const std::int64_t result = Score::weight(f.tolerance_of(i), distance) + links * (Score::unit / 2) / f.cloud.k;
     if(label[i] >= first_mark)
-      return result + bonus(s);
+      return result + bonus_[s];
     const std::int64_t continuity = continuity_at(f.plane[label[i]], f.plane[s], f.point[i], f.tolerance_of(i));
-    return result + (bonus(s) - bonus(label[i])) * continuity / Score::unit;
-  }
-
-  std::int64_t bonus(std::uint32_t s) const
-  {
-    const std::int64_t points = shape_[s].moments.count;
-    return points > 0 ? options.score.point_bonus(points) : 0;
+    return result + (bonus_[s] - bonus_[label[i]]) * continuity / Score::unit;
   }
 
   std::uint32_t choose(const Labels& label, std::uint32_t i, std::uint32_t pass)
@@ -137,12 +147,15 @@ private:
 
   const bool is_of_one_plane_; // relations say so of twins
   Counts& counts_;
-  std::vector<Shape> shape_; // before the first pass
+  std::vector<Shape> shape_;        // before the first pass
+  std::vector<Plane> plane_;        // of the last call
+  std::vector<std::int64_t> bonus_; // by shape
 };
 
 // From these labels, again from where it ended, then after others have changed labels and planes.
 std::vector<Call> three_calls(Slow_assignment& slow, const Labels& before)
 {
+  slow.forget();
   std::vector<Call> calls = {slow.assign(before)};
   calls.push_back(slow.assign(calls[0].after));
   Labels changed = calls[1].after;

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(requests_of_end_game)
       s.plane.offset += t.options.maximum_distance_steps;
     detach_misfits(t.points, t.shapes, t.options.growth.tolerance);
   });
-  check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
+  check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes, t.options); });
   check_stage("splits", [](State& t, Link_buffer&) {
     merge_with_those_before(t);
     t.points.change_labels(false); // lists are out of date

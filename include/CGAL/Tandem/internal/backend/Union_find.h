@@ -33,12 +33,6 @@ struct Union_find {
     }
   }
 
-  // Then they are in one set. Those of one set may have two.
-  CGAL_TANDEM_HD bool have_one_parent(std::uint32_t a, std::uint32_t b) const
-  {
-    return parents.load(a) == parents.load(b);
-  }
-
   // Attaches the larger root to the smaller one. set() fails if the larger one is no root any more; then both are
   // searched again.
   CGAL_TANDEM_HD void unite(std::uint32_t a, std::uint32_t b) const

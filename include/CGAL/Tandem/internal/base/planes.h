@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace CGAL::Tandem::internal {
 
@@ -29,9 +30,12 @@ CGAL_TANDEM_HD inline Regular_plane plane_through(const Vector& normal, const Ve
 CGAL_TANDEM_HD inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
 
 // Bounds, over all points of a box, the change of the distance when a plane moves from a to b. In steps. The
-// difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored.
+// difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored. A plane a without a normal is one
+// that was never set: any other one is infinitely far from it.
 CGAL_TANDEM_HD inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
 {
+  if(dot(a.normal, a.normal) == 0)
+    return std::numeric_limits<double>::infinity();
   const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
   const Vector v = add_scaled(a.normal, -sign, b.normal);
   const double d = fused(sign, b.offset, -a.offset);

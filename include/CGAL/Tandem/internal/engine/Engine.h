@@ -115,7 +115,7 @@ Shape_relations Engine<Backend>::relate_shapes(Buffer_of<Backend, Link>& links)
 
 // One round. The order matters: small fragments go first, so that they need no links. Shapes unite before relations are
 // found, so that the unions have relations. Labels follow at once for unions, and in apply_planes() for shapes that
-// have become coplanar.
+// have become coplanar. The last round only grows: the end game unites and relates what it has grown.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
@@ -127,6 +127,14 @@ bool Engine<Backend>::iterate()
   Stage_timer growth(times_.growth);
   const std::size_t new_points = grow();
   growth.stop();
+  const auto end_round = [&] {
+    ++state_.round;
+    return progress_.show_rounds(state_.round) && state_.round < tuning::loop::maximum_rounds;
+  };
+  if(new_points <= points.total_points() / tuning::loop::points_per_new_point) {
+    end_round();
+    return false;
+  }
   progress_.show_rounds(state_.round + .4);
 
   Stage_timer regularity(times_.regularity);
@@ -136,9 +144,7 @@ bool Engine<Backend>::iterate()
   relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
   apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));
-  ++state_.round;
-  return progress_.show_rounds(state_.round) && state_.round < tuning::loop::maximum_rounds &&
-         new_points > points.total_points() / tuning::loop::points_per_new_point;
+  return end_round();
 }
 
 // Runs the end game and makes the result. A cloud that is empty, or was not prepared, has no relations, but an empty

@@ -90,9 +90,12 @@ private:
 // run over their list, not over all surfels.
 struct Is_at_edge {
   Edge_view view;
+  const std::uint8_t* state; // by surfel, with interior bits
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
+    if(state[i] & interior_bit)
+      return false;
     const std::uint32_t s = view.label[i];
     const std::uint32_t* row = view.cloud.row(i);
     bool result = false;
@@ -194,7 +197,7 @@ void choose_edge_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   const std::size_t n = points.cloud.number_of_surfels();
   points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
-  const auto edge = backend.compact(n, Is_at_edge{view});
+  const auto edge = backend.compact(n, Is_at_edge{view, states_of(points, Phase::end)});
   Buffer_of<Backend, std::uint32_t> chosen(n), normal(edge.size());
   backend.for_each(n, Copy_items<std::uint32_t>{points.label(), chosen.data()});
   backend.for_each(edge.size(), Choose_edge_side{view, edge.data(), chosen.data(), normal.data()}, edges_per_thread);

@@ -44,19 +44,36 @@ struct Adjacency {
   Cloud_view cloud;
   const std::uint32_t* label;
 
-  // Calls unite(p, q) for the neighbor q of r. p is r itself, or the first neighbor of r with the label of q. Both are
+  // Calls unite(p, q) for the neighbors q of r. p is r itself, or the first neighbor of r with the label of q. Both are
   // in the range; free surfels and surfels out of the range are skipped.
   template <class Unite>
-  CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
+  CGAL_TANDEM_HD void operator()(std::uint32_t r, const Range& range, Unite unite) const
   {
-    if(q - range.first >= range.size() || label[q] >= first_mark)
-      return;
-    if(label[r] == label[q])
-      return unite(r, q); // a surfel is in the range with its neighbors
-    const std::uint32_t* p = cloud.row(r);
-    while(*p < range.first || *p >= range.last || label[*p] != label[q])
-      ++p; // it ends at q
-    unite(*p, q);
+    const std::uint32_t* row = cloud.row(r);
+    const std::uint32_t own = label[r];
+    std::uint32_t shape = no_index, first = no_index; // of other labels, the last one and its first neighbor
+    for(int j = 0; j < cloud.k; ++j) {
+      const std::uint32_t q = row[j];
+      if(q - range.first >= range.size()) // also where a row ends
+        continue;
+      const std::uint32_t t = label[q];
+      if(t >= first_mark)
+        continue;
+      if(t != own && t != shape) {
+        shape = t;
+        first = first_neighbor(row, t, range);
+      }
+      unite(t == own ? r : first, q); // a surfel is in the range with its neighbors
+    }
+  }
+
+private:
+  // There is one.
+  CGAL_TANDEM_HD std::uint32_t first_neighbor(const std::uint32_t* row, std::uint32_t s, const Range& range) const
+  {
+    while(*row - range.first >= range.size() || label[*row] != s)
+      ++row;
+    return *row;
   }
 };
 
@@ -85,14 +102,10 @@ struct Unite_in_cell {
                    [&](std::uint32_t at) { scratch.parent[at] = has_lanes ? first_before(cell, at) : at; });
     if(has_lanes)
       block.for_each(cell.size(), [&](std::uint32_t at) { points.parents.lower(at, points.root(at)); });
-    block.for_each_neighbor(
-      cell.size(), adjacency.cloud.k, [&](std::uint32_t at) { return adjacency.cloud.row(cell.first + at); },
-      [&](std::uint32_t at, std::uint32_t q) {
-        // Most edges join surfels that have one parent already, whose labels need not be read.
-        if(q - cell.first < cell.size() && !points.have_one_parent(at, q - cell.first))
-          adjacency(cell.first + at, q, cell,
-                    [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
-      });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      adjacency(cell.first + at, cell,
+                [&](std::uint32_t p, std::uint32_t q) { points.unite(p - cell.first, q - cell.first); });
+    });
     block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
   }
 
@@ -143,11 +156,9 @@ struct Unite_at_border {
       if(!block.count_pair(scratch.pair[slot], scratch.count[slot], pair))
         points.unite(p, q); // the slot holds another pair
     };
-    block.for_each_neighbor(
-      range.size(), adjacency.cloud.k, [&](std::uint32_t b) { return adjacency.cloud.row(border[range.first + b]); },
-      [&](std::uint32_t b, std::uint32_t q) {
-        adjacency(border[range.first + b], q, {0, adjacency.cloud.size + adjacency.cloud.ghosts}, note);
-      });
+    block.for_each(range.size(), [&](std::uint32_t b) {
+      adjacency(border[range.first + b], {0, adjacency.cloud.size + adjacency.cloud.ghosts}, note);
+    });
     block.for_each(Pair_scratch::slots, [&](std::uint32_t i) {
       if(scratch.pair[i] != none)
         points.unite(std::uint32_t(scratch.pair[i] >> 32), std::uint32_t(scratch.pair[i]));

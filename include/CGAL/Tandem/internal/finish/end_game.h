@@ -29,11 +29,9 @@ namespace CGAL::Tandem::internal {
 
 // --- Connected components. Changes labels and the table of shapes. See the manual, "Components".
 
-// Components below the minimum size become free. The others become shapes, if that is wanted: the largest one of a shape
-// keeps its id. Otherwise a shape may have several.
+// Components below the minimum size become free. The others become shapes: the largest one of a shape keeps its id.
 template <class Backend>
-void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
-                         bool become_shapes)
+void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
@@ -43,7 +41,7 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   std::vector<char> has_id(shapes.size, 0);
   std::size_t next = shapes.size;
   for(Component& c : components)
-    if(std::exchange(has_id[c.entry], 1) && become_shapes)
+    if(std::exchange(has_id[c.entry], 1))
       c.entry = std::uint32_t(next++);
   add_shapes(backend, shapes, next - shapes.size);
   auto number = filled_buffer(backend, n, no_index);
@@ -80,20 +78,28 @@ void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
 struct Fit_plane {
   Shape* shape;
   Plane* plane;
+  double maximum_distance_steps;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
+    Shape& s = shape[id];
     Take_local{shape}(id);
-    Round_plane{shape, plane}(id);
+    if(!s.is_live())
+      return;
+    s.history.check_again(s.box, s.local, maximum_distance_steps * std::sqrt(squared_tolerance(s.moments)));
+    s.plane = s.history.checked;
+    plane[id] = rounded(s.plane);
   }
 };
 
-// All shapes have the planes that fit their points best, without relations.
+// All shapes have the planes that fit their points best, without relations, or one that is nearly so: a plane stays
+// where it is until it moves by more than a negligible distance. So moves look at the shapes that have changed.
 template <class Backend>
-void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
+void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
   update_tables(points, shapes, tables::fits);
-  for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
+  for_each_shape(points.backend, shapes,
+                 Fit_plane{shapes.fitted(), shapes.plane.data(), options.maximum_distance_steps});
 }
 
 // --- With CGAL_TANDEM_CHECK_SCORE, debug builds compute the score anew after each stage of the moves. See the manual,
@@ -130,7 +136,7 @@ struct Count_misfits {
   }
 };
 
-// Planes become those that fit best; nothing else changes.
+// Planes become those that fit; nothing else changes.
 template <class Backend>
 class Score_watch {
 public:
@@ -141,7 +147,7 @@ public:
   // Notes the score. True.
   bool begin()
   {
-    fit_planes(points_, shapes_);
+    fit_planes(points_, shapes_, options_);
     label_.reset(points_.cloud.number_of_surfels());
     points_.backend.for_each(label_.size(), Copy_items<std::uint32_t>{points_.label(), label_.data()});
     score_ = measure_score(points_, shapes_, options_);
@@ -183,49 +189,54 @@ private:
   std::int64_t misfits_ = 0; // when it was noted
 };
 
-// Touching shapes unite where that gains. Returns what merge_by_gain() does.
+// Touching shapes unite where that gains, of which one has changed since unions were last sought. Returns what
+// merge_by_gain() does.
 template <class Backend>
 Buffer_of<Backend, std::uint32_t> unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                         const Stage_parameters& options)
 {
-  fit_planes(points, shapes);
-  auto links = collect_links(points, shapes, Links::all, Phase::end);
+  fit_planes(points, shapes, options);
+  auto links = collect_links(points, shapes, Links::changed, Phase::end);
   return merge_by_gain(points, shapes, options, links);
 }
 
-// Shapes split, surfels go where they are worth most, and shapes unite, in turn, where that gains. Then clutter becomes
-// free, before components become shapes and afterwards, and shapes unite as long as that gains.
+// Surfels go where they are worth most. Where normals are estimated, those at edges then choose their side.
+template <class Backend>
+void place_surfels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
+                   Assignment<Backend>& assign)
+{
+  fit_planes(points, shapes, options);
+  assign(shapes, options);
+  if(!options.has_estimated_normals)
+    return;
+  choose_edge_sides(points, shapes, options.growth.tolerance);
+  assign(shapes, options);
+}
+
+// Shapes split, surfels are placed, shapes unite where that gains, and surfels are placed anew. Then components become
+// shapes, clutter becomes free, and shapes unite as long as that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                  Assignment<Backend>& assign)
 {
   Score_watch<Backend> watch(points, shapes, options);
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin());
-  for(int round = 0; round < tuning::moves::rounds; ++round) {
-    fit_planes(points, shapes);
-    split_shapes(points, shapes, options);
-    fit_planes(points, shapes);
-    assign(shapes, options);
-    if(options.has_estimated_normals) {
-      choose_edge_sides(points, shapes, options.growth.tolerance);
-      assign(shapes, options);
-    }
-    CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
-    unite(points, shapes, options);
-    CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
-  }
-  const auto drop_clutter = [&] {
-    fit_planes(points, shapes);
-    free_clutter(points, shapes, options.growth.tolerance);
-    assign(shapes, options);
-  };
-  drop_clutter();
-  separate_components(points, shapes, options, true);
-  drop_clutter();
+  fit_planes(points, shapes, options);
+  split_shapes(points, shapes, options);
+  place_surfels(points, shapes, options, assign);
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
+  unite(points, shapes, options);
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
+  place_surfels(points, shapes, options, assign);
+  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
+  separate_components(points, shapes, options);
+  fit_planes(points, shapes, options);
+  free_clutter(points, shapes, options.growth.tolerance);
+  assign(shapes, options);
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.begin()); // small components and clutter may have been worth something
   // Ends, since unions leave fewer shapes, and an assignment makes none.
   while(are_any(points.backend, unite(points, shapes, options))) {
-    fit_planes(points, shapes);
+    fit_planes(points, shapes, options);
     assign(shapes, options);
     CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   }
@@ -246,14 +257,12 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   return relations;
 }
 
-// The offsets of planes become those that fit the points of their shapes best, but for small components, which the result
-// does not have. Surfels that do not fit any more are free.
+// The offsets of planes become those that fit the points of their shapes best. Surfels that do not fit any more are free.
 template <class Backend>
 void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Shape_relations& relations)
 {
   Backend& backend = points.backend;
-  separate_components(points, shapes, options, false);
   update_tables(points, shapes, tables::fits);
   center_planes(summarize(backend, shapes, 1), relations);
   apply_relations(backend, shapes, relations);

@@ -27,12 +27,12 @@ namespace CGAL::Tandem::internal {
 // What an assignment reads of a shape.
 struct Assigned_shape {
   Plane plane;
-  std::int64_t bonus;        // of one more point
+  std::int64_t bonus;        // of one more point, by the size that it had when its plane moved last
   std::int64_t plane_number; // of the relations, -1: none
 
-  CGAL_TANDEM_HD bool operator==(const Assigned_shape& s) const
+  CGAL_TANDEM_HD bool has_plane_of(const Assigned_shape& s) const
   {
-    return plane == s.plane && bonus == s.bonus && plane_number == s.plane_number;
+    return plane == s.plane && plane_number == s.plane_number;
   }
 };
 
@@ -329,7 +329,9 @@ struct Set_assigned {
   {
     const std::int64_t n = shape[id].moments.count;
     assigned[id] = {plane[id], n > 0 ? score.point_bonus(n) : 0, shape[id].plane_number};
-    is_moved[id] = id >= last_shapes || !(assigned[id] == last[id]);
+    is_moved[id] = id >= last_shapes || !assigned[id].has_plane_of(last[id]);
+    if(!is_moved[id])
+      assigned[id].bonus = last[id].bonus;
   }
 };
 
@@ -426,8 +428,7 @@ public:
       border_(filled_buffer(backend_, block_.row.size(), Block_surfels(0)))
   {}
 
-  // Planes are those of the table that is rounded for the tests of surfels. What a shape gains by one point more
-  // follows from its size at the beginning.
+  // Planes are those of the table that is rounded for the tests of surfels.
   void operator()(Shape_table<Backend>& shapes, const Stage_parameters& options)
   {
     Buffer<Assigned_shape> assigned(shapes.size);

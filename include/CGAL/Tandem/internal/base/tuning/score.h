@@ -36,8 +36,6 @@ constexpr std::int64_t points_per_freedom = 10;
 // The moves that raise the score.
 namespace moves {
 
-// Rounds of splits, assignment and unions after the loop. A third one changes next to nothing.
-constexpr int rounds = 2;
 // Passes of an assignment; each considers half of the points that have a shape. More: slower, hardly better.
 constexpr std::uint32_t assignment_passes = 12;
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
