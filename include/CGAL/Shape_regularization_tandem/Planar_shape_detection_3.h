@@ -110,7 +110,7 @@ public:
   }
 
   /// does one round of growth and regularization, as in Algorithm 1 of \cgalCite{OLA16}. Call it until it returns
-  /// `false`, which says that hardly anything grows any more or that the callback has cancelled the detection; then call
+  /// `false`, which says that hardly anything grows or that the callback has cancelled the detection; then call
   /// `finish()`. Between rounds `shapes()` shows what there is.
   bool iterate()
   {
@@ -134,8 +134,8 @@ public:
     together([&] { progress_.show_end(); });
   }
 
-  /// returns the shapes. Before `finish()` these are the shapes after the last call of `iterate()` that returned
-  /// `true`, for which the guarantees need not hold yet; after `finish()` they are the final ones. The result does not
+  /// returns the shapes. Before `finish()` these are the shapes after the last call of `iterate()`, without relations if
+  /// hardly anything grew, for which the guarantees need not hold yet; after `finish()` they are the final ones. The result does not
   /// change or end with the detection. Copies of it share the memory of their tables.
   Shapes shapes() const
   {

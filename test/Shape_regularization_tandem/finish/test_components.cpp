@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(components)
       set_labels(points, f.label);
       auto shapes = make_table(backend, f.shapes_of_labels(f.plane.size()));
       shapes.plane = to_buffer(backend, f.plane);
-      separate_components(points, shapes, options);
+      separate_components(points, shapes, options, true);
       check_lists(to_vector(backend, points.label(), n), separate, name + ": separate components");
       check_equal(shapes.size, number, name + ": number of shapes");
       std::vector<Shared_moments> sums(number);

@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(center_of_planes)
   CHECK(r.planes[0].offset == 8 && r.planes[1].offset == 30 && r.planes[2].offset == 40 && r.planes[0].normal.z == 1);
 }
 
-// The plane is in the middle of the points of the shape.
-BOOST_AUTO_TEST_CASE(center_of_shapes)
+// Small components become free before: the plane is in the middle of the points that the shape keeps.
+BOOST_AUTO_TEST_CASE(center_of_large_components)
 {
   on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
     if(!f.level.empty())
@@ -86,12 +86,21 @@ BOOST_AUTO_TEST_CASE(center_of_shapes)
       relations.relations.plane_of.push_back(int(s));
       relations.relations.planes.push_back({{0, 0, 1}, 0});
     }
+    separate_components(points, shapes, options, false);
     std::vector<double> sum(f.plane.size(), 0), count(f.plane.size(), 0);
-    for(std::uint32_t i = 0; i < f.cloud.size; ++i)
-      if(f.label[i] < first_mark) {
-        sum[f.label[i]] += f.point[i].z;
-        ++count[f.label[i]];
+    std::size_t freed = 0;
+    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
+      const std::uint32_t s = points.label()[i];
+      CHECK_AT(s == f.label[i] || s >= first_mark, name + ": a point has another shape");
+      freed += s != f.label[i];
+      if(s < first_mark) {
+        sum[s] += f.point[i].z;
+        ++count[s];
       }
+    }
+    CHECK_AT(f.cloud.size < 100 || freed > 0, name + ": no small component");
+    set_labels(points, f.label);
+    shapes.table() = to_buffer(backend, f.shapes_of_labels(f.plane.size()));
     center_shapes(points, shapes, options, relations);
     for(std::size_t s = 0; s < sum.size(); ++s)
       CHECK_AT(count[s] == 0 || std::fabs(sum[s] / count[s] - relations.relations.planes[s].offset) < 1e-3,
@@ -258,7 +267,7 @@ BOOST_AUTO_TEST_CASE(balances)
 }
 
 // A cube of points at random, with normals along an axis, and a face through it. Every layer of the cube, 25 of them,
-// has enough points for a shape; most are dropped.
+// has enough points for a shape; half of them are dropped.
 BOOST_AUTO_TEST_CASE(clutter_shapes)
 {
   const std::size_t on_face = 10000, in_cube = 20000;
@@ -269,7 +278,7 @@ BOOST_AUTO_TEST_CASE(clutter_shapes)
     cloud.emplace_back(Kernel::Point_3(random.uniform(), random.uniform(), z), Kernel::Vector_3(0, 0, 1));
   }
   const Shapes shapes = detect_valid("clutter shapes", cloud, make_parameters(epsilon, 200));
-  CHECK(shapes.number_of_shapes() <= 12);
+  CHECK_AT(shapes.number_of_shapes() <= 13, std::to_string(shapes.number_of_shapes()));
   CHECK_AT(shapes.size(0) > on_face * 9 / 10, std::to_string(shapes.size(0)) + " points of the face");
 }
 

@@ -30,8 +30,8 @@ CGAL_TANDEM_HD inline Regular_plane plane_through(const Vector& normal, const Ve
 CGAL_TANDEM_HD inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
 
 // Bounds, over all points of a box, the change of the distance when a plane moves from a to b. In steps. The
-// difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored. A plane a without a normal is one
-// that was never set: any other one is infinitely far from it.
+// difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored. A
+// plane a without a normal has never been set: any other one is infinitely far from it.
 CGAL_TANDEM_HD inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
 {
   if(dot(a.normal, a.normal) == 0)

@@ -62,6 +62,7 @@ private:
   Progress& progress_;
   Tandem_state<Backend> state_;
   Shape_relations relations_; // of the last round, or of the end game
+  bool are_related_ = true;   // the shapes that there are
   Stage_times times_;
   Engine_result final_;
   bool is_prepared_ = false; // was not cancelled before there was anything to grow from
@@ -127,12 +128,9 @@ bool Engine<Backend>::iterate()
   Stage_timer growth(times_.growth);
   const std::size_t new_points = grow();
   growth.stop();
-  const auto end_round = [&] {
-    ++state_.round;
-    return progress_.show_rounds(state_.round) && state_.round < tuning::loop::maximum_rounds;
-  };
-  if(new_points <= points.total_points() / tuning::loop::points_per_new_point) {
-    end_round();
+  are_related_ = new_points > points.total_points() / tuning::loop::points_per_new_point;
+  if(!are_related_) {
+    progress_.show_rounds(++state_.round);
     return false;
   }
   progress_.show_rounds(state_.round + .4);
@@ -144,7 +142,8 @@ bool Engine<Backend>::iterate()
   relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
   apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));
-  return end_round();
+  ++state_.round;
+  return progress_.show_rounds(state_.round) && state_.round < tuning::loop::maximum_rounds;
 }
 
 // Runs the end game and makes the result. A cloud that is empty, or was not prepared, has no relations, but an empty
@@ -164,10 +163,13 @@ void Engine<Backend>::finish()
 }
 
 // The result so far. Large tables of the result are shared, so copies are cheap. A call between rounds does not change
-// the state.
+// the state; one after the last round gives shapes the planes that fit them, as the end game does.
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {
+  if(!std::exchange(are_related_, true))
+    relations_ =
+      regularize_shapes(state_.points, state_.shapes, state_.options, false, state_.options.minimum_related_size);
   Engine_result r = is_finished_ || !is_prepared_
                       ? final_
                       : extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);

@@ -29,9 +29,11 @@ namespace CGAL::Tandem::internal {
 
 // --- Connected components. Changes labels and the table of shapes. See the manual, "Components".
 
-// Components below the minimum size become free. The others become shapes: the largest one of a shape keeps its id.
+// Components below the minimum size become free. The others become shapes, if that is wanted: the largest one of a shape
+// keeps its id. Otherwise a shape may have several.
 template <class Backend>
-void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
+void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
+                         bool become_shapes)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.number_of_surfels();
@@ -41,7 +43,7 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   std::vector<char> has_id(shapes.size, 0);
   std::size_t next = shapes.size;
   for(Component& c : components)
-    if(std::exchange(has_id[c.entry], 1))
+    if(std::exchange(has_id[c.entry], 1) && become_shapes)
       c.entry = std::uint32_t(next++);
   add_shapes(backend, shapes, next - shapes.size);
   auto number = filled_buffer(backend, n, no_index);
@@ -52,15 +54,13 @@ void separate_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
 }
 
 struct Round_plane {
-  Shape* shape;
+  const Shape* shape;
   Plane* plane;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    if(!shape[id].is_live())
-      return;
-    plane[id] = rounded(shape[id].plane);
-    shape[id].history.checked = shape[id].plane;
+    if(shape[id].is_live())
+      plane[id] = rounded(shape[id].plane);
   }
 };
 
@@ -83,7 +83,7 @@ struct Fit_plane {
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     Shape& s = shape[id];
-    Take_local{shape}(id);
+    s.plane_number = -1;
     if(!s.is_live())
       return;
     s.history.check_again(s.box, s.local, maximum_distance_steps * std::sqrt(squared_tolerance(s.moments)));
@@ -92,8 +92,8 @@ struct Fit_plane {
   }
 };
 
-// All shapes have the planes that fit their points best, without relations, or one that is nearly so: a plane stays
-// where it is until it moves by more than a negligible distance. So moves look at the shapes that have changed.
+// All shapes have the planes that fit their points best, without relations. But a plane stays where it is until it moves
+// by more than a negligible distance, so that the moves look at what has changed.
 template <class Backend>
 void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options)
 {
@@ -189,7 +189,7 @@ private:
   std::int64_t misfits_ = 0; // when it was noted
 };
 
-// Touching shapes unite where that gains, of which one has changed since unions were last sought. Returns what
+// Touching shapes unite where that gains, of which one has moved or united since unions were last sought. Returns what
 // merge_by_gain() does.
 template <class Backend>
 Buffer_of<Backend, std::uint32_t> unite(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
@@ -228,8 +228,7 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   unite(points, shapes, options);
   CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
   place_surfels(points, shapes, options, assign);
-  CGAL_TANDEM_EXPENSIVE_ASSERT(watch.rises());
-  separate_components(points, shapes, options);
+  separate_components(points, shapes, options, true);
   fit_planes(points, shapes, options);
   free_clutter(points, shapes, options.growth.tolerance);
   assign(shapes, options);
@@ -257,12 +256,14 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   return relations;
 }
 
-// The offsets of planes become those that fit the points of their shapes best. Surfels that do not fit any more are free.
+// The offsets of planes become those that fit the points of their shapes best, but for small components, which the result
+// does not have. Surfels that do not fit any more are free.
 template <class Backend>
 void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Stage_parameters& options,
                    Shape_relations& relations)
 {
   Backend& backend = points.backend;
+  separate_components(points, shapes, options, false);
   update_tables(points, shapes, tables::fits);
   center_planes(summarize(backend, shapes, 1), relations);
   apply_relations(backend, shapes, relations);

@@ -35,7 +35,7 @@ namespace loop {
 
 // A bound on the rounds, which scans do not reach: they take 2 to 4.
 constexpr int maximum_rounds = 300;
-// The loop ends after a round in which at most one point of so many of the cloud got a shape. Larger: the loop goes on
+// The loop ends after the growth of a round in which at most one point of so many of the cloud got a shape. Larger: the loop goes on
 // for little, since surfels find their shapes in the end game, too.
 constexpr std::size_t points_per_new_point = 32;
 // Passes of growth in a round, at most. There is a next one while a cell is untried: it has as many candidates as the
@@ -55,7 +55,7 @@ constexpr Ratio related_ratio = {7, 20};
 // Motion of planes, in epsilons over the bounding box of the shape.
 namespace motion {
 
-// Planes that move by less need no new check of the points and no new links. Larger: faster,
+// Planes that move by less need no new check of the points and no new links, and stay in the end game. Larger: faster,
 // points are checked late.
 constexpr double negligible = 0.02;
 // Planes that move by more let the shape grow again from all of its points. Smaller: more rounds.
