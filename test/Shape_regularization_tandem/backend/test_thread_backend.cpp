@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(passes)
     Given given;
     double items, loops, cell_loops;
   };
-  for(const Bounds& most : {Bounds{Given::normals, 145.4, 1275, 109}, Bounds{Given::nothing, 193.3, 1585, 127}})
+  for(const Bounds& most : {Bounds{Given::normals, 105.5, 809, 80}, Bounds{Given::nothing, 157.9, 1194, 101}})
     for(const std::size_t points : {30000, 120000}) {
       Thread_backend::loops = Thread_backend::items = Thread_backend::cell_loops = 0;
       const Cloud cloud = to_cloud(scenes::make_scene("indoor", scene_options(points, .001, .1)));

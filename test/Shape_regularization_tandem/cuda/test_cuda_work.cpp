@@ -11,7 +11,7 @@
 BOOST_AUTO_TEST_SUITE(test_cuda_work)
 
 // About 5 % above the present numbers.
-constexpr std::uint64_t most_launches = 503, most_waits = 85, most_bytes_of_point = 112;
+constexpr std::uint64_t most_launches = 626, most_waits = 93, most_bytes_of_point = 112;
 
 void test_work(std::size_t points, Given given)
 {

@@ -57,8 +57,8 @@ struct Case {
 
 const Case cases[] = {{1, 12, 0, 0, 0xf3728bf5501e9c1e},
                       {2, 12, .002, 0, 0xa8227691137d66d0},
-                      {3, 20, .01, 0, 0xdc1eaa482a46d694},
-                      {4, 6, .02, 0, 0x9dd14fec7ba388c6},
+                      {3, 20, .01, 0, 0x71a4c7b5bf1b380b},
+                      {4, 6, .02, 0, 0xd0aa75b003423d7c},
                       {5, 4, .002, 20000, 0x5369665ee02fb584}};
 
 template <class Tag>

@@ -116,7 +116,8 @@ def test_flat_only(p):
     p(0, NOTHING, "tank.xyz --report all.json --shapes all.csv --quiet")
     p(0, "--flat-only", "tank.xyz --flat-only --report flat.json --shapes flat.csv --labels flat.labels")
     surface, flat = p.json("all.json")["surface"], p.json("flat.json")["surface"]
-    assert abs(surface["curved_area"] - TURN * 10 * 8) < 30 and surface["curved_shapes"] >= 10
+    # what is between the facets belongs to none
+    assert 0 < TURN * 10 * 8 - surface["curved_area"] < 60 and surface["curved_shapes"] >= 10
     assert abs(surface["area"] - surface["curved_area"] - (900 - TURN * 50)) < 30
     assert flat["curved_area"] == flat["curved_shapes"] == 0
     assert set(p.sizes("flat.labels")) == {-1, 0} and (p.labels("flat.labels")[:len(tank)] < 0).mean() > .98
