@@ -135,8 +135,8 @@ public:
   }
 
   /// returns the shapes. Before `finish()` these are the shapes after the last call of `iterate()`, without relations if
-  /// hardly anything grew, for which the guarantees need not hold yet; after `finish()` they are the final ones. The result does not
-  /// change or end with the detection. Copies of it share the memory of their tables.
+  /// hardly anything grew, for which the guarantees need not hold yet; after `finish()` they are the final ones. The
+  /// result does not change or end with the detection. Copies of it share the memory of their tables.
   Shapes shapes() const
   {
     const internal::Round_to_nearest rounding;

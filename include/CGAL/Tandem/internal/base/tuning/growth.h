@@ -35,8 +35,8 @@ namespace loop {
 
 // A bound on the rounds, which scans do not reach: they take 2 to 4.
 constexpr int maximum_rounds = 300;
-// The loop ends after the growth of a round in which at most one point of so many of the cloud got a shape. Larger: the loop goes on
-// for little, since surfels find their shapes in the end game, too.
+// The loop ends after the growth of a round in which at most one point of so many of the cloud got a shape. Larger: the
+// loop goes on for little, since surfels find their shapes in the end game, too.
 constexpr std::size_t points_per_new_point = 32;
 // Passes of growth in a round, at most. There is a next one while a cell is untried: it has as many candidates as the
 // smallest shape has points, or more than one in so many of its points.
