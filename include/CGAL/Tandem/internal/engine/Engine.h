@@ -167,12 +167,11 @@ void Engine<Backend>::finish()
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {
-  if(!std::exchange(are_related_, true))
-    relations_ =
-      regularize_shapes(state_.points, state_.shapes, state_.options, false, state_.options.minimum_related_size);
-  Engine_result r = is_finished_ || !is_prepared_
-                      ? final_
-                      : extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
+  const Stage_parameters& options = state_.options;
+  const bool is_final = is_finished_ || !is_prepared_;
+  if(!is_final && !std::exchange(are_related_, true))
+    relations_ = regularize_shapes(state_.points, state_.shapes, options, false, options.minimum_related_size);
+  Engine_result r = is_final ? final_ : extract_shapes(state_.points, state_.shapes, options, relations_, in_);
   r.rounds = std::size_t(state_.round);
   r.is_coarse = in_.grid.is_coarse;
   r.times = times_;

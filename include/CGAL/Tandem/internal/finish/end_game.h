@@ -86,7 +86,7 @@ struct Fit_plane {
     s.plane_number = -1;
     if(!s.is_live())
       return;
-    s.history.check_again(s.box, s.local, maximum_distance_steps * std::sqrt(squared_tolerance(s.moments)));
+    s.history.check_again(s.box, s.local, s.mean_distance_steps(maximum_distance_steps));
     s.plane = s.history.checked;
     plane[id] = rounded(s.plane);
   }

@@ -240,8 +240,8 @@ private:
     return true;
   }
 
-  // Tries the next candidates for shape `next`, at most Block::lookahead; returns how many. All of them are tried with the same labels.
-  // A trial with too few points keeps the plane of its seed; its count is then too small as well.
+  // Tries the next candidates for shape `next`, at most Block::lookahead; returns how many. All of them are tried with
+  // the same labels. A trial with too few points keeps the plane of its seed; its count is then too small as well.
   CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at, std::uint32_t next)
   {
     const Grid_point& o = base();

@@ -87,6 +87,12 @@ struct Shape : Fitted_moments {
   std::int32_t plane_number = -1; // of `plane` in the relations; -1 if it has none
   std::int32_t is_active = 0;     // the last pass of growth has added points
 
+  // The mean tolerance of its points, where these have tolerances of their own, in steps.
+  CGAL_TANDEM_HD double mean_distance_steps(double maximum_distance_steps) const
+  {
+    return maximum_distance_steps * std::sqrt(squared_tolerance(moments));
+  }
+
   // Ids without points are out of use.
   CGAL_TANDEM_HD bool is_live() const { return moments.count > 0; }
 };

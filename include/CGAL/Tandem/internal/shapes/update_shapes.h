@@ -184,7 +184,7 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    const double distance = maximum_distance_steps * std::sqrt(squared_tolerance(s.moments));
+    const double distance = s.mean_distance_steps(maximum_distance_steps);
     if(s.history.restart_again(s.box, s.plane, distance))
       is_restarted[id] = 1;
     is_moved[id] = s.history.check_again(s.box, s.plane, distance);
